@@ -1,4 +1,4 @@
-"""The real window, off-screen; whatever outlives a test fails it."""
+"""The real window, off-screen; a test fails if anything outlives it."""
 
 import os
 
@@ -19,13 +19,13 @@ from tests.gui.patience import patient
 
 @pytest.fixture
 def qtbot(qtbot):
-    """Waits while jobs get on; see `patience`."""
+    """Waits while jobs make progress; see `patience`."""
     return patient(qtbot)
 
 
 @pytest.fixture
 def no_leaks():
-    """Threads of ours that a test leaves behind are its failure."""
+    """A test fails if it leaves threads of ours behind."""
     yield
     deadline = time.monotonic() + 2
     while time.monotonic() < deadline and _ours():

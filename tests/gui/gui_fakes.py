@@ -1,4 +1,4 @@
-"""An engine whose messages are the simulator's truth: what the window must show is known."""
+"""An engine whose messages are the simulator's ground truth, so the window's output is known."""
 
 from __future__ import annotations
 
@@ -49,22 +49,22 @@ def simulation() -> Simulation:
 
 @lru_cache(maxsize=256)
 def truth_at(t: float):
-    """The simulated hand; the window asks for one instant again and again."""
+    """The simulated hand; the window requests one time repeatedly."""
     return simulation().truth(t)
 
 
 @lru_cache
 def frame_and_blobs(i: int):
-    """The i-th image pair and what is in it."""
+    """The i-th image pair and its blobs."""
     sim = simulation()
     index, t, arrival = list(sim.exposures())[i]
     return sim.renderer.frame(t, arrival, index), sim.scene.blobs(t, arrival, index)
 
 
 class ScriptedEngine:
-    """A `LiveEngine` and its hand, without threads, at one instant, ``frame``.
+    """A `LiveEngine` and its hand, without threads, at one time, ``frame``.
 
-    ``commands`` are those that were given to the hand, by name.
+    ``commands`` are those sent to the hand, by name.
     """
 
     def __init__(self, frame: int = 30, tracking: Tracking = Tracking.TRACKING) -> None:
@@ -74,7 +74,7 @@ class ScriptedEngine:
         self.followed = None
         self.engines: list[str] = []
         self.kept_states = 0
-        self.values: dict[str, float] = {}  # of the status, beside what is always there
+        self.values: dict[str, float] = {}  # of the status, in addition to the constant ones
         self.recorder = None
         self.started = self.stopped = 0
         self.lost: tuple[int, ...] = ()
@@ -144,7 +144,7 @@ class ScriptedEngine:
         return [s for s in _imu() if s.t <= frame_and_blobs(self.frame)[0].t]
 
     def recent_estimates(self):
-        """Those of the images at which it was looked at, in order of time."""
+        """Events of the images shown so far, in order of time."""
         now = frame_and_blobs(self.frame)[0].t
         if not self._looked_at or self._looked_at[-1].t != now:
             earlier = [e for e in self._looked_at if e.t < now]
@@ -193,7 +193,7 @@ class ScriptedEngine:
 
     @property
     def profile(self):
-        """A test may put ``followed`` colours in place of those that were set."""
+        """A test may replace the set colours by ``followed`` ones."""
         set_last = self.profiles[-1] if self.profiles else models()[2]
         return set_last if self.followed is None else self.followed
 
@@ -268,7 +268,7 @@ GLOVE_REPORT = GloveReport(
 
 
 class ScriptedGlove:
-    """An open glove; it takes another rate where it ``obeys``; ``vibrated`` are motor commands."""
+    """An open glove; it applies another rate if it ``obeys``; ``vibrated`` are motor commands."""
 
     def __init__(self) -> None:
         self.now, self.obeys = GLOVE_REPORT, True
@@ -308,7 +308,7 @@ def _imu():
 
 
 class MemoryRecorder:
-    """Keeps what it is given."""
+    """Stores what it receives."""
 
     def __init__(self, path: Path) -> None:
         self.path, self.messages, self.closed = path, [], False

@@ -1,5 +1,5 @@
-"""Waiting for jobs in low-priority processes, which a loaded computer may leave without processor
-time: as long as they get on, and not for a number of seconds."""
+"""Waiting for jobs in low-priority processes, which get little processor time on a loaded computer:
+as long as they make progress, and not for a fixed time."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-AT_MOST = 20  # times the time-out that a test asks for
+AT_MOST = 20  # times the time-out given by a test
 LEAST = 60.0  # s, where that is less
-STALLED = 10.0  # s without processor time, after which a job does not get on
+STALLED = 10.0  # s without processor time, after which a job is stalled
 _USED = slice(11, 13)  # of /proc/PID/stat behind the name: user and system time in ticks
 
 
 def processor_ticks() -> int:
-    """Processor time that the processes started by this one have used; 0 where it is unknown."""
+    """Processor time used by the child processes of this one; 0 if unknown."""
     total = 0
     for child in multiprocessing.active_children():
         try:
@@ -28,7 +28,7 @@ def processor_ticks() -> int:
 
 
 def patient(qtbot: Any) -> Any:
-    """``qtbot`` whose ``waitUntil`` goes on after its time-out while a job gets on."""
+    """``qtbot`` whose ``waitUntil`` continues after its time-out while a job makes progress."""
     wait = qtbot.waitUntil
 
     def wait_until(is_done: Callable[[], Any], *, timeout: int = 5000) -> None:

@@ -1,4 +1,4 @@
-"""A glove that was set up once is known again by its number, on any port."""
+"""A glove that was set up once is recognised by its number, on any port."""
 
 from __future__ import annotations
 
@@ -36,19 +36,19 @@ def test_a_left_glove_is_not_tracked_with_a_right_ones_files() -> None:
 
 
 @pytest.mark.parametrize("number", [11, None])
-def test_a_glove_that_is_new_or_tells_no_number_is_taken_as_chosen(number: int | None) -> None:
+def test_a_new_glove_or_one_without_a_number_uses_the_chosen_files(number: int | None) -> None:
     used, message = as_bound(settings(), number)
     assert used.glove == AppSettings().glove and message == ""
 
 
-def test_nothing_is_said_where_the_files_are_its_own() -> None:
+def test_nothing_is_reported_if_the_files_are_its_own() -> None:
     assert (
         as_bound(AppSettings(glove=LEFT.glove, hand=LEFT.hand, gloves=settings().gloves), 22)[1]
         == ""
     )
 
 
-def test_what_was_bound_outlives_the_program(tmp_path) -> None:
+def test_bindings_survive_a_restart(tmp_path) -> None:
     store = SettingsStore(tmp_path / "window.json")
     store.update(gloves=with_bound(store.value, 22, LEFT))
     again = SettingsStore(tmp_path / "window.json")
@@ -56,11 +56,11 @@ def test_what_was_bound_outlives_the_program(tmp_path) -> None:
 
 
 @pytest.mark.parametrize("entry", [{"22": "left"}, {"22": {"side": "left"}}, {"22": {"side": 1}}])
-def test_a_damaged_entry_is_as_none(entry) -> None:
+def test_a_damaged_entry_is_ignored(entry) -> None:
     assert bound(AppSettings(gloves=entry), 22) is None
 
 
-def test_the_wizard_recalls_side_files_and_wearer_of_the_port_that_is_chosen(qtbot) -> None:
+def test_the_wizard_recalls_side_files_and_wearer_of_the_chosen_port(qtbot) -> None:
     known = replace(settings(), port="/dev/a")
     page = ChoicePage(known, ["Ada", "Bea"], with_session=False)
     qtbot.addWidget(page)
@@ -80,7 +80,7 @@ OFF_USB = {
 
 @pytest.fixture
 def bluetooth(monkeypatch) -> set[str]:
-    """Ports that answer, of two gloves that are on no list."""
+    """Ports that answer, of two unlisted gloves."""
     there = {"/dev/rfcomm0", "/dev/rfcomm1"}
     numbers = {glove.port: number for number, glove in OFF_USB.items()}
 
@@ -101,7 +101,7 @@ def both_bound() -> AppSettings:
     return settings
 
 
-def test_gloves_on_ports_that_no_list_shows_are_found_where_they_were(bluetooth) -> None:
+def test_gloves_on_unlisted_ports_are_found_at_their_old_ports(bluetooth) -> None:
     found = find_hand_gloves(lambda _share, _text: None, both_bound()).gloves
     assert {g.side: g.report.path for g in found} == {
         "left": "/dev/rfcomm1",
@@ -109,7 +109,7 @@ def test_gloves_on_ports_that_no_list_shows_are_found_where_they_were(bluetooth)
     }
 
 
-def test_one_that_is_away_is_awaited_where_it_was(bluetooth) -> None:
+def test_a_missing_glove_is_awaited_at_its_old_port(bluetooth) -> None:
     bluetooth.discard("/dev/rfcomm0")
     left, right = find_hand_gloves(lambda _share, _text: None, both_bound()).gloves
     assert left.report is not None and right.report is None
@@ -118,14 +118,14 @@ def test_one_that_is_away_is_awaited_where_it_was(bluetooth) -> None:
 
 @pytest.fixture
 def simulated_glove() -> Iterator[SimulatedGlove]:
-    """Number 22, on a line that is on no list."""
+    """Number 22, on an unlisted line."""
     params = GloveDeviceParams(glove_id=22)
     device = SimulatedGlove(iter(()), 7, params=params)
     yield device
     device.stop()
 
 
-def test_a_glove_at_a_port_chosen_by_hand_is_bound_with_its_port(
+def test_a_glove_at_a_manually_chosen_port_is_bound_with_its_port(
     window, qtbot, store, simulated_glove, monkeypatch
 ) -> None:
     monkeypatch.setattr("app.wizards.glove.wizard.serial_ports", list)

@@ -1,4 +1,4 @@
-"""Crashes, bug reports, the About box, panels and drivers that fail."""
+"""Crashes, bug reports, the About box, failing panels and drivers."""
 
 import json
 import subprocess
@@ -39,7 +39,7 @@ faulthandler._sigsegv()
 
 @pytest.fixture
 def crashed(tmp_path):
-    """The log folder that a run leaves which died of a segmentation fault."""
+    """The log folder of a run that ended with a segmentation fault."""
     folder = tmp_path / "logs"
     run = subprocess.run([sys.executable, "-c", CRASHING, str(folder)], check=False)
     assert run.returncode != 0
@@ -79,18 +79,18 @@ def test_the_next_start_after_a_hard_crash_offers_a_bug_report(crashed, store, q
         window.close()
         watch.end()
     again = CrashWatch(crashed)
-    assert again.found is None  # told once
+    assert again.found is None  # reported once
     again.end()
 
 
-def test_a_run_that_ends_well_leaves_nothing(tmp_path):
+def test_a_normal_exit_leaves_nothing(tmp_path):
     watch = CrashWatch(tmp_path)
     assert [p.name.split("-")[0] for p in tmp_path.iterdir()] == ["running"]
     watch.end()
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_run_that_still_lives_is_no_crash(tmp_path):
+def test_a_running_process_is_not_a_crash(tmp_path):
     first = CrashWatch(tmp_path)
     try:
         assert CrashWatch._look_back(first) is None
@@ -98,13 +98,11 @@ def test_a_run_that_still_lives_is_no_crash(tmp_path):
         first.end()
 
 
-def test_an_exception_nobody_caught_is_logged_once_and_offered(
-    watch, store, qtbot, no_leaks, capsys
-):
+def test_an_unhandled_exception_is_logged_once_and_offered(watch, store, qtbot, no_leaks, capsys):
     window = MainWindow(store, watch)
     qtbot.addWidget(window)
     window.show()
-    for _ in range(3):  # as a timer would
+    for _ in range(3):  # like a timer
         try:
             raise ValueError("three fingers are too few")
         except ValueError as error:
@@ -118,7 +116,7 @@ def test_an_exception_nobody_caught_is_logged_once_and_offered(
     assert [p.name[:6] for p in watch.folder.iterdir()] == ["crash-"]
 
 
-def test_an_exception_in_a_thread_is_heard_of(watch, qtbot):
+def test_an_exception_in_a_thread_is_reported(watch, qtbot):
     notified = []
     watch.happened.connect(notified.append)
 
@@ -132,7 +130,7 @@ def test_an_exception_in_a_thread_is_heard_of(watch, qtbot):
     assert "in a thread" in notified[0]
 
 
-def test_a_failing_panel_rests_and_the_others_go_on(live, qtbot, monkeypatch):
+def test_a_failing_panel_is_disabled_and_the_others_continue(live, qtbot, monkeypatch):
     calls = []
 
     def broken(view) -> None:
@@ -147,7 +145,7 @@ def test_a_failing_panel_rests_and_the_others_go_on(live, qtbot, monkeypatch):
     assert len(calls) <= 2 and len(cameras) > 2
 
 
-def test_a_worker_that_dies_is_said_and_the_window_lives(live, engine, qtbot):
+def test_a_dead_worker_is_reported_and_the_window_continues(live, engine, qtbot):
     failed = failure("thread.failed", thread="vision", type="ValueError", why="empty")
     engine.events.append(Event.of(1.0, "error", failed))
     qtbot.waitUntil(lambda: "vision thread failed" in live.banner.text(), timeout=10_000)
@@ -174,7 +172,7 @@ def session_file(tmp_path_factory):
     return path
 
 
-def test_the_excerpt_is_the_last_seconds_with_nobodys_name(session_file, tmp_path):
+def test_the_excerpt_is_the_last_seconds_without_names(session_file, tmp_path):
     cut_tail(session_file, tmp_path / "cut.mcap", 10.0, images=False, personal=False)
     with SessionReader(tmp_path / "cut.mcap") as cut, SessionReader(session_file) as whole:
         assert cut.duration == pytest.approx(10.0, abs=0.5)
@@ -189,7 +187,7 @@ def test_the_excerpt_is_the_last_seconds_with_nobodys_name(session_file, tmp_pat
 
 
 @pytest.mark.parametrize("personal", [False, True])
-def test_a_bundle_holds_names_only_where_they_were_ticked(session_file, tmp_path, personal):
+def test_a_bundle_contains_names_only_if_selected(session_file, tmp_path, personal):
     logs = tmp_path / "logs"
     logs.mkdir()
     (logs / "glovetrack.log").write_text("recorded Mustermann_pinch.mcap\n")
@@ -224,7 +222,7 @@ def test_a_bundle_holds_names_only_where_they_were_ticked(session_file, tmp_path
     assert all(line in readme for line in contents(Choice(screenshot=False, personal=personal)))
 
 
-def test_a_report_is_saved_by_clicks_and_told_about(live, qtbot, tmp_path):
+def test_a_report_is_saved_by_clicks_and_confirmed(live, qtbot, tmp_path):
     live.recording.participant.setText("Mustermann")
     live.store.update(participant="Mustermann")
     live.run_command("show_log")
@@ -249,7 +247,7 @@ def test_a_report_is_saved_by_clicks_and_told_about(live, qtbot, tmp_path):
     assert "versions.txt" in names
 
 
-def test_a_report_that_cannot_be_written_says_so(live, qtbot, tmp_path):
+def test_a_report_that_cannot_be_written_is_reported(live, qtbot, tmp_path):
     live.reports.save(tmp_path / "nowhere" / "bug.zip", Choice())
     qtbot.waitUntil(lambda: "nowhere" in live.banner.text(), timeout=20_000)
     assert not (tmp_path / "nowhere").exists()
@@ -258,7 +256,7 @@ def test_a_report_that_cannot_be_written_says_so(live, qtbot, tmp_path):
 # --- the About box
 
 
-def test_the_about_box_tells_version_and_licences(window, qtbot):
+def test_the_about_box_shows_version_and_licences(window, qtbot):
     window.run_command("about")
     box = window.findChild(AboutDialog)
     texts = [t.toPlainText() for t in box.findChildren(QPlainTextEdit)]
@@ -269,14 +267,14 @@ def test_the_about_box_tells_version_and_licences(window, qtbot):
     box.close()
 
 
-def test_every_part_has_a_licence_and_none_is_of_development():
+def test_every_part_has_a_licence_except_development_tools():
     found = {p.name.lower(): p for p in parts()}
     assert {"numpy", "mcap"} <= found.keys()
     assert "pytest" not in found and "glovetrack" not in found
     assert all(p.licence for p in found.values())
 
 
-def test_what_a_window_is_given_while_it_records_waits_for_a_word(live, qtbot, tmp_path):
+def test_a_file_opened_while_recording_needs_confirmation(live, qtbot, tmp_path):
     live.commands.actions["record"].trigger()
     live.sources.take_over(str(tmp_path / "other.mcap"))
     assert live.host.recording.request is not None

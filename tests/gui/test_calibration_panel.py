@@ -1,4 +1,4 @@
-"""The calibration panel on a real filter: reset, freeze, wearers that come back, comparison."""
+"""The calibration panel with a real filter: reset, freeze, restored wearers, comparison."""
 
 import dataclasses
 
@@ -28,7 +28,7 @@ def chain() -> ChainEngine:
 
 
 class Commanded(ScriptedEngine):
-    """A scripted engine whose calibration is a filter's own."""
+    """A scripted engine with a filter's own calibration."""
 
     def __init__(self, inner=None) -> None:
         super().__init__()
@@ -54,7 +54,7 @@ def calibration_covariance(engine: ChainEngine) -> Array:
 
 
 def teach(engine: ChainEngine, length: float) -> None:
-    """Let the filter have learned that the hand is ``length`` times the file's."""
+    """Sets the filter's estimate of the hand to ``length`` times the file's."""
     profile = engine.profile()
     engine.put_on(
         dataclasses.replace(profile, scale=np.full_like(profile.scale, length), P=profile.P / 16)
@@ -93,7 +93,7 @@ def test_one_segment_is_reset_by_its_menu(panel, engine):
     assert engine.inner.calibration().scale == pytest.approx(np.ones((7, 3)))
 
 
-def test_what_was_reset_can_be_compared_with(panel):
+def test_a_reset_calibration_can_be_compared_with_the_earlier_one(panel):
     action(panel.wearer.reset_button.menu(), "Everything").trigger()
     panel.wearer.comparing.click()
     assert shown(panel, 0, 1) == "Δ -0.040"
@@ -116,12 +116,12 @@ def test_a_change_beyond_both_uncertainties_is_marked():
     assert "more than 2σ of both" in cell.tip
 
 
-def test_comparing_with_nothing_is_said(panel):
+def test_comparing_with_nothing_is_reported(panel):
     panel.wearer.comparing.click()
     assert "nothing to compare with" in panel.advice.text()
 
 
-def test_freezing_is_said_and_reaches_the_filter(panel, engine):
+def test_freezing_is_shown_and_applied_to_the_filter(panel, engine):
     panel.wearer.frozen.click()
     panel.refresh(panel.host.snapshot())
     assert panel.advice.text().startswith("Frozen")
@@ -131,7 +131,7 @@ def test_freezing_is_said_and_reaches_the_filter(panel, engine):
     assert calibration_covariance(engine.inner).any()
 
 
-def test_a_profile_told_on_the_command_line_is_worn_from_the_start(
+def test_a_profile_on_the_command_line_is_used_from_the_start(
     panel, window, store, tmp_path, qtbot
 ):
     file = tmp_path / "anna.toml"
@@ -147,7 +147,7 @@ def test_a_profile_told_on_the_command_line_is_worn_from_the_start(
     assert fresh.inner.calibration().scale == pytest.approx(np.full((7, 3), 1.04))
 
 
-def test_a_wearer_comes_back_after_a_restart(panel, store, qtbot, monkeypatch):
+def test_a_wearer_is_restored_after_a_restart(panel, store, qtbot, monkeypatch):
     monkeypatch.setattr("app.panels.calibration.wearer_row.answer", lambda *_: "Anna B.")
     action(panel.wearer.save_button.menu(), "Save as…").trigger()
     qtbot.waitUntil(lambda: panel.wearer.name == "Anna B", timeout=30_000)
@@ -164,15 +164,15 @@ def test_a_wearer_comes_back_after_a_restart(panel, store, qtbot, monkeypatch):
     again.close()
 
 
-def test_a_wearer_is_put_on_again_when_the_engine_changes(panel, engine, store, qtbot):
+def test_a_wearer_is_applied_again_when_the_engine_changes(panel, engine, store, qtbot):
     panel.profiles.save("Anna")
     qtbot.waitUntil(lambda: panel.wearer.name == "Anna", timeout=30_000)
-    engine.inner = chain()  # as a change of the engine makes it
+    engine.inner = chain()  # as by a change of the engine
     panel.window().sources.set_engine("chain")
     assert engine.inner.calibration().scale == pytest.approx(np.full((7, 3), 1.04))
 
 
-def test_a_profile_goes_to_another_computer_as_text(panel, tmp_path, qtbot, monkeypatch):
+def test_a_profile_is_transferred_to_another_computer_as_text(panel, tmp_path, qtbot, monkeypatch):
     file = tmp_path / "Anna.toml"
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_, **__: (str(file), ""))
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_, **__: (str(file), ""))
@@ -185,7 +185,7 @@ def test_a_profile_goes_to_another_computer_as_text(panel, tmp_path, qtbot, monk
     assert panel.wearer.name == "Anna" and shown(panel, 0, 1).startswith("1.040 ± ")
 
 
-def test_an_import_that_is_no_profile_is_refused_in_words(panel, tmp_path, monkeypatch):
+def test_an_invalid_import_is_rejected(panel, tmp_path, monkeypatch):
     file = tmp_path / "other.toml"
     file.write_text("schema = 1\n", "utf-8")
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_, **__: (str(file), ""))
@@ -193,7 +193,7 @@ def test_an_import_that_is_no_profile_is_refused_in_words(panel, tmp_path, monke
     assert "other.toml" in panel.window().banner.text() and panel.wearer.name == ""
 
 
-def test_a_wearer_of_another_glove_is_refused_in_words(panel, store, qtbot):
+def test_a_wearer_of_another_glove_is_rejected(panel, store, qtbot):
     panel.profiles.save("Anna")
     qtbot.waitUntil(lambda: panel.wearer.name == "Anna", timeout=30_000)
     path = WearerStore(store.path.parent / "wearers").path("Anna")
@@ -203,7 +203,7 @@ def test_a_wearer_of_another_glove_is_refused_in_words(panel, store, qtbot):
     assert panel.wearer.name == ""
 
 
-def test_an_engine_without_profiles_says_so(panel, engine, qtbot):
+def test_an_engine_without_profiles_reports_it(panel, engine, qtbot):
     hand, glove, _ = models()
     engine.inner = Pipeline(hand, glove, simulation().rig, Settings(engine="vist")).engine
     panel.profiles.reset(None)
@@ -221,7 +221,7 @@ def test_removing_a_wearer_removes_the_file(panel, store, qtbot):
     assert store.value.wearers.get("right", "") == ""
 
 
-def test_a_removed_wearer_comes_back_with_undo(panel, store, qtbot):
+def test_a_removed_wearer_is_restored_by_undo(panel, store, qtbot):
     panel.profiles.save("Anna")
     qtbot.waitUntil(lambda: panel.wearer.name == "Anna", timeout=30_000)
     path = WearerStore(store.path.parent / "wearers").path("Anna")
@@ -238,7 +238,7 @@ def test_a_removed_wearer_comes_back_with_undo(panel, store, qtbot):
     assert path.read_bytes() == b"another" and "exists again" in banner.text()
 
 
-def test_without_an_engine_that_listens_nothing_can_be_changed(window):
+def test_without_a_live_engine_nothing_can_be_changed(window):
     window.host.adopt(dataclasses.replace(scripted_setup(ScriptedEngine()), live=None))  # a replay
     row = window.calibration.wearer
     assert not any(w.isEnabled() for w in (row.choice, row.reset_button, row.frozen))
@@ -249,11 +249,11 @@ def test_without_an_engine_that_listens_nothing_can_be_changed(window):
     ("name", "file_name"),
     [("Anna B.", "Anna B"), ("../x/y", "x_y"), ("Jürgen", "Jürgen"), ("//", "unnamed")],
 )
-def test_every_name_is_a_file_name(name, file_name):
+def test_every_name_gives_a_file_name(name, file_name):
     assert person_file_name(name) == file_name
 
 
-def test_a_profile_that_is_taken_in_replaces_no_other_one(tmp_path):
+def test_an_imported_profile_replaces_no_other_one(tmp_path):
     engine = chain()
     layout = engine.layout
     store, elsewhere = WearerStore(tmp_path / "wearers"), tmp_path / f"{'Anna ' * 12}.toml"

@@ -86,7 +86,7 @@ def exposure_step(window):
     return next(s for s in steps(window.host.snapshot()) if s.name == "Exposure locked")
 
 
-def test_the_checklist_asks_for_the_lock_and_its_button_sets_it(window, controls):
+def test_the_checklist_requests_the_lock_and_its_button_sets_it(window, controls):
     step = exposure_step(window)
     assert not step.done
     assert step.reason == "The camera changes exposure, white balance automatically."
@@ -98,7 +98,7 @@ def test_the_checklist_asks_for_the_lock_and_its_button_sets_it(window, controls
 
 
 @pytest.mark.parametrize("controls", [None, SimpleNamespace(controls=lambda: (Control("gain"),))])
-def test_exposure_that_cannot_be_read_is_to_be_checked_and_not_done(window, controls):
+def test_unreadable_exposure_is_to_be_checked_and_not_done(window, controls):
     setup = scripted_setup(ScriptedEngine())
     window.host.adopt(with_camera(replace(setup, simulated=False), controls=controls))
     step = exposure_step(window)
@@ -107,8 +107,8 @@ def test_exposure_that_cannot_be_read_is_to_be_checked_and_not_done(window, cont
 
 
 class Deaf:
-    """A device whose driver accepts every value and reads back others: ``stuck`` the exposure,
-    or ``automatic`` its switch."""
+    """A device whose driver accepts every value and reports others: ``stuck`` the exposure, or
+    ``automatic`` its switch."""
 
     def __init__(self, stuck: float | None = None, automatic: bool = False) -> None:
         self._stuck, self._automatic, self._values = stuck, automatic, {}
@@ -147,7 +147,7 @@ class OneDevice:
 
 
 @pytest.mark.parametrize("device", [Deaf(stuck=600.0), Deaf(automatic=True)])
-def test_a_lock_that_the_camera_does_not_confirm_is_never_shown_as_done(window, qtbot, device):
+def test_an_unconfirmed_lock_is_never_shown_as_done(window, qtbot, device):
     source = ControlledInput(OneDevice(device), Locks(exposure=157.0, white_balance=4600.0))
     setup = scripted_setup(ScriptedEngine())
     window.host.adopt(with_camera(replace(setup, simulated=False), controls=source))
@@ -164,7 +164,7 @@ def test_a_lock_that_the_camera_does_not_confirm_is_never_shown_as_done(window, 
     qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
 
 
-def test_a_number_opens_a_camera_where_the_system_lists_none(window, store, qtbot):
+def test_a_number_opens_an_unlisted_camera(window, store, qtbot):
     """The error says where to enter it."""
     with pytest.raises(DeviceError, match="Or number, file"):
         chosen("")
@@ -186,7 +186,7 @@ def test_a_number_opens_a_camera_where_the_system_lists_none(window, store, qtbo
     qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
 
 
-def test_a_chosen_camera_that_is_not_connected_stays_chosen(window, store, qtbot):
+def test_a_disconnected_camera_remains_selected(window, store, qtbot):
     store.update(camera=by_name(ZED))
     made = CameraSetup(window.host, store, window.tasks, window, lambda: [WEB])
     window.set_up.show_dialog("camera", made)
@@ -196,7 +196,7 @@ def test_a_chosen_camera_that_is_not_connected_stays_chosen(window, store, qtbot
     qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
 
 
-def test_a_search_that_ends_while_an_address_is_typed_leaves_it_alone(window, store, qtbot):
+def test_a_finished_search_does_not_change_an_address_being_typed(window, store, qtbot):
     typed = threading.Event()
 
     def slowly() -> list[CameraName]:
@@ -213,7 +213,7 @@ def test_a_search_that_ends_while_an_address_is_typed_leaves_it_alone(window, st
     qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
 
 
-def test_a_lock_is_set_and_lifted_in_the_dialog(window, controls, dialog):
+def test_a_lock_is_set_and_released_in_the_dialog(window, controls, dialog):
     dialog._tick()
     assert not dialog.locks.boxes["gain"].isEnabled()
     assert dialog.locks.values["exposure"].value() == 250
@@ -235,7 +235,7 @@ def test_a_camera_is_chosen_by_name_and_found_at_another_port(window, store, dia
         choose(store.value, 1280, 720, 60.0, [WEB])
 
 
-def test_two_cameras_a_file_and_an_address_are_choices_too(store, dialog, tmp_path):
+def test_two_cameras_a_file_and_an_address_can_be_selected_too(store, dialog, tmp_path):
     dialog.left.setCurrentIndex(1)
     dialog.right.setCurrentIndex(dialog.right.count() - 1)
     assert dialog.choice() == by_names(WEB, ZED) == "pair:Webcam|ZED-M"
@@ -252,7 +252,7 @@ def test_two_cameras_a_file_and_an_address_are_choices_too(store, dialog, tmp_pa
     assert not chosen(str(tmp_path / "film.mp4")).source.live
 
 
-def test_two_streams_are_two_cameras_each_asked_for_its_own_size(store, dialog, window, qtbot):
+def test_two_streams_are_two_cameras_with_their_own_sizes(store, dialog, window, qtbot):
     dialog.other.setText("rtsp://left/eye")
     dialog.other_right.setText("rtsp://right/eye")
     dialog.use.click()
@@ -290,7 +290,7 @@ def test_images_can_be_exchanged(store, dialog, tmp_path):
     assert brighter_side() == "right"
 
 
-def test_what_arrives_is_seen_in_the_dialog_and_no_longer_when_it_ends(window, dialog, qtbot):
+def test_the_dialog_shows_images_only_while_they_arrive(window, dialog, qtbot):
     left, right = dialog.images
     assert left._image is None and dialog.arriving.text() == ""
     window.host.adopt(scripted_setup(ScriptedEngine()))
@@ -304,7 +304,7 @@ def test_what_arrives_is_seen_in_the_dialog_and_no_longer_when_it_ends(window, d
     qtbot.waitUntil(lambda: left._image is None, timeout=10_000)
 
 
-def test_without_a_camera_it_is_said():
+def test_a_missing_camera_is_reported():
     with pytest.raises(DeviceError, match="No camera was found"):
         chosen("")
 

@@ -54,7 +54,7 @@ def test_a_mask_shows_its_hue_alone_and_each_can_be_switched(cameras, engine):
     assert painted("red") > 0.8 and painted("blue") == 0.0
 
 
-def test_a_slow_computer_shows_images_without_overlays(cameras, engine, qtbot):
+def test_an_overloaded_computer_shows_images_without_overlays(cameras, engine, qtbot):
     qtbot.waitUntil(lambda: len(cameras.left._shapes) > 0)
     engine.values["load_shed"] = float(Shed.OVERLAYS)
     qtbot.waitUntil(lambda: len(cameras.left._shapes) == 0)
@@ -77,7 +77,7 @@ def test_layers_change_on_a_frozen_image(cameras, engine, qtbot):
     )
 
 
-def test_keys_zoom_and_move_and_the_image_is_no_longer_followed(cameras, qtbot):
+def test_keys_zoom_and_move_and_stop_following(cameras, qtbot):
     image = cameras.left
     assert cameras.follow.isChecked()
     image.fit()
@@ -116,7 +116,7 @@ def test_blobs_of_markers_that_both_cameras_see_are_filled(view):
 
 
 def test_markers_out_of_view_are_dimmed_at_the_edge_where_they_left(view):
-    """The camera is moved so that the hand stands left of the image, as a turned head does."""
+    """The camera is moved so that the hand is left of the image, as by a turned head."""
     pose = view.setup.camera.rig.pose
     moved = CameraPose(pose.R_GC, pose.p_GC + pose.R_GC @ [0.6, 0.0, 0.0])
     result = dataclasses.replace(
@@ -130,7 +130,7 @@ def test_markers_out_of_view_are_dimmed_at_the_edge_where_they_left(view):
     assert all(isinstance(c, Cross) and c.u == EDGE_PX and c.opacity == DIM for c in crosses)
 
 
-def test_controls_wrap_where_the_panel_is_narrow(qtbot):
+def test_controls_wrap_in_a_narrow_panel(qtbot):
     box = QWidget()
     qtbot.addWidget(box)
     flow = FlowLayout(box, spacing=6)

@@ -1,4 +1,4 @@
-"""The set-up list in the window: what is green, what is orange, and what stays done."""
+"""The set-up list in the window: what is green, what is orange, and what remains done."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from tracker.messages import Status, Tracking
 
 
 class Rig(ScriptedEngine):
-    """A rig whose calibration, devices and blobs a test changes."""
+    """A rig whose calibration, devices and blobs are set by a test."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -56,7 +56,7 @@ def rig() -> Rig:
 
 @pytest.fixture
 def listed(window, rig, qtbot):
-    """The list in sight on a rig that has settled."""
+    """The visible list with a converged rig."""
     window.host.adopt(scripted_setup(rig))
     window.run_command("show_checklist")
     qtbot.waitUntil(lambda: shown(window, "Light").look is GOOD, timeout=30_000)
@@ -64,7 +64,7 @@ def listed(window, rig, qtbot):
 
 
 class Shown:
-    """A row of the list as it is on the screen."""
+    """A row of the list as shown on the screen."""
 
     def __init__(self, row) -> None:
         looks = {look.sign: look for look in (GOOD, WARN, IDLE)}
@@ -81,14 +81,15 @@ def refreshed(window) -> None:
 
 
 def pass_time(window, rig, qtbot, seconds: float) -> None:
-    """No packets and no images arrive for so long; the window asks for figures now and then."""
+    """No packets and no images arrive for this time; the window updates its figures now and
+    then."""
     rig.now = seconds
     arrive = seconds < 0.5
     qtbot.waitUntil(lambda: window.host.snapshot().images_arrive == arrive, timeout=30_000)
     refreshed(window)
 
 
-def test_a_settled_calibration_stays_so_while_it_varies_and_not_after_a_reset(listed, rig):
+def test_a_converged_calibration_remains_done_until_a_reset(listed, rig):
     assert shown(listed, "Calibration settled").look is GOOD
     assert listed.checklist.summary.text() == "Ready"
     rig.sd, rig.bias_dps = 1.6, 0.9
@@ -101,12 +102,12 @@ def test_a_settled_calibration_stays_so_while_it_varies_and_not_after_a_reset(li
     assert shown(listed, "Calibration settled").button == "Hold poses"
     assert shown(listed, "Measured at rest").button == "Measure"
     assert listed.checklist.summary.text() == "8 of 10 done"
-    rig.sd, rig.bias_dps = 1.6, 0.9  # on its way, never settled again
+    rig.sd, rig.bias_dps = 1.6, 0.9  # converging, never done again
     refreshed(listed)
     assert listed.checklist.summary.text() == "8 of 10 done"
 
 
-def test_a_lost_device_opens_its_steps_again(listed, rig, qtbot):
+def test_a_lost_device_reopens_its_steps(listed, rig, qtbot):
     rig.sd = 1.6
     refreshed(listed)
     assert shown(listed, "Calibration settled").look is GOOD
@@ -117,7 +118,7 @@ def test_a_lost_device_opens_its_steps_again(listed, rig, qtbot):
     assert shown(listed, "Calibration settled").look is not GOOD, "it has not settled since"
 
 
-def test_a_moment_without_packets_and_images_opens_nothing_that_was_settled(listed, rig, qtbot):
+def test_a_short_interruption_reopens_nothing(listed, rig, qtbot):
     rig.sd = 1.6
     pass_time(listed, rig, qtbot, 1.5)
     assert shown(listed, "Glove found").look is WARN, "at once"
@@ -127,7 +128,7 @@ def test_a_moment_without_packets_and_images_opens_nothing_that_was_settled(list
     assert listed.checklist.summary.text() == "Ready"
 
 
-def test_a_hand_that_leaves_is_to_be_checked_and_colours_are_not_judged(listed, rig):
+def test_a_hand_that_leaves_is_to_be_checked_and_colours_are_not_evaluated(listed, rig):
     rig.tracking, rig.unseen = Tracking.SEARCHING, ("red", "yellow", "green", "blue")
     listed.checklist._hue_seen.clear()
     refreshed(listed)
@@ -137,7 +138,7 @@ def test_a_hand_that_leaves_is_to_be_checked_and_colours_are_not_judged(listed, 
     assert listed.checklist.summary.text() == "Ready, 1 to check"
 
 
-def test_a_hue_that_is_missing_on_a_tracked_hand_is_orange(listed, rig):
+def test_a_missing_hue_on_a_tracked_hand_is_orange(listed, rig):
     rig.unseen = ("red",)
     listed.checklist._hue_seen.clear()
     refreshed(listed)
@@ -179,7 +180,7 @@ def test_missed_markers_are_not_green(listed, monkeypatch, found, light, colours
         assert step.reason == "9 of 10 markers are not found with these colours."
 
 
-def test_colours_that_miss_most_markers_are_not_tuned_from_the_start(window, rig, monkeypatch):
+def test_colours_that_miss_most_markers_are_not_done_from_the_start(window, rig, monkeypatch):
     window.host.adopt(scripted_setup(rig))
     monkeypatch.setattr(window.checklist.light, "work", lambda *_: None)
     window.checklist.light.took(reading(1, 9))
@@ -188,7 +189,7 @@ def test_colours_that_miss_most_markers_are_not_tuned_from_the_start(window, rig
     assert window.checklist.summary.text() == "8 of 10 done"
 
 
-def test_the_light_of_a_camera_that_is_gone_is_forgotten(listed, rig, qtbot):
+def test_the_light_of_a_removed_camera_is_discarded(listed, rig, qtbot):
     pass_time(listed, rig, qtbot, 5.0)
     assert listed.checklist.light.reading is None
     assert shown(listed, "Light").reason == "Waiting for images."
@@ -197,7 +198,7 @@ def test_the_light_of_a_camera_that_is_gone_is_forgotten(listed, rig, qtbot):
 
 
 def test_a_reason_without_a_button_takes_the_whole_width(listed, rig, qtbot):
-    """On a small screen it was as narrow as beside the widest button of all."""
+    """On a small screen it was as narrow as next to the widest button of all."""
     row = next(r for r in listed.checklist._rows if r._name.text() == "Calibration settled")
     assert row._button.isHidden()
     rig.sd = 5.0
@@ -210,8 +211,8 @@ def test_a_reason_without_a_button_takes_the_whole_width(listed, rig, qtbot):
     qtbot.waitUntil(lambda: row._reason.width() == alone.width())
 
 
-def test_on_a_narrow_panel_buttons_are_below_their_reasons(listed, rig, qtbot):
-    """At 150 % in German a sentence stood in six lines of a word each."""
+def test_in_a_narrow_panel_buttons_are_below_their_reasons(listed, rig, qtbot):
+    """At 150 % in German a sentence occupied six lines of one word each."""
     rig.sd = 5.0
     refreshed(listed)
     panel = listed.checklist

@@ -1,4 +1,4 @@
-"""Images and packets gathered for a fit of the colours to what is seen."""
+"""Images and packets collected for a live fit of the colours."""
 
 import dataclasses
 from functools import partial
@@ -29,7 +29,7 @@ def packet(t: float) -> ImuSample:
 
 
 def view(t: float) -> Snapshot:
-    """A look at ``t`` with the packets of the last second."""
+    """A sample at ``t`` with the packets of the last second."""
     frame = dataclasses.replace(frame_and_blobs(5)[0], t=t, t_arrival=t + 0.03)
     imu = tuple(packet(x) for x in np.arange(round(100 * t) - 100, round(100 * t)) / 100)
     return Snapshot(setup=SETUP, running=True, frame=frame, imu=imu)
@@ -42,13 +42,13 @@ def gathered(looks: int, start: float = 10.0) -> LiveImages:
     return live
 
 
-def test_a_second_of_looks_is_enough_and_memory_is_bounded() -> None:
+def test_a_second_of_samples_is_sufficient_and_memory_is_bounded() -> None:
     assert not gathered(ENOUGH - 1).is_enough
     assert gathered(ENOUGH).is_enough
     assert len(gathered(3 * MOST_IMAGES)) == MOST_IMAGES
 
 
-def test_what_was_before_a_gap_or_a_step_back_is_forgotten() -> None:
+def test_samples_before_a_gap_or_a_jump_back_are_dropped() -> None:
     live = gathered(ENOUGH)
     live.watch(view(20.0 + GAP))
     assert len(live) == 1
@@ -56,7 +56,7 @@ def test_what_was_before_a_gap_or_a_step_back_is_forgotten() -> None:
     assert len(live) == 1
 
 
-def test_a_fit_without_a_hand_is_refused_in_words() -> None:
+def test_a_fit_without_a_hand_is_rejected() -> None:
     live = gathered(ENOUGH)
     live.ask()
     assert live.wanted
@@ -72,13 +72,13 @@ def test_a_fit_without_a_hand_is_refused_in_words() -> None:
     assert not live.wanted
 
 
-def test_without_calibrated_cameras_the_fit_says_what_serves_instead() -> None:
+def test_without_calibrated_cameras_the_fit_names_an_alternative() -> None:
     live = LiveImages(with_camera(SETUP, calibrated=False))
     with pytest.raises(GlovetrackError, match="one image instead"):
         live.ask()
 
 
-def test_the_banner_blames_the_colours_while_that_is_true_and_leads_to_a_fit(window, engine, qtbot):
+def test_the_banner_reports_unsuitable_colours_and_leads_to_a_fit(window, engine, qtbot):
     window.host.adopt(scripted_setup(engine))
     engine.values["colours_unfit"] = 1.0
     qtbot.waitUntil(lambda: "none fit the glove" in window.banner.text(), timeout=30_000)
@@ -91,8 +91,8 @@ def test_the_banner_blames_the_colours_while_that_is_true_and_leads_to_a_fit(win
     assert not window.messages.isVisible()
 
 
-def test_a_start_that_finds_no_hand_fits_by_itself_out_of_sight(window, qtbot):
-    """The panel is not shown; what is refused is not told, for nobody asked."""
+def test_a_start_that_finds_no_hand_fits_automatically_in_the_background(window, qtbot):
+    """The panel is hidden; a rejected automatic fit is not reported."""
     searching = ScriptedEngine(tracking=Tracking.SEARCHING)
     window.host.adopt(scripted_setup(searching))
     tuning = window.colours.tuning
@@ -103,7 +103,7 @@ def test_a_start_that_finds_no_hand_fits_by_itself_out_of_sight(window, qtbot):
     assert tuning.profile is before
 
 
-def test_colours_are_not_fitted_by_themselves_to_a_glove_of_the_other_hand(window, qtbot):
+def test_colours_are_not_fitted_automatically_to_a_glove_of_the_other_hand(window, qtbot):
     searching = ScriptedEngine(tracking=Tracking.SEARCHING)
     searching.values["glove_of_other_side"] = 1.0
     window.host.adopt(scripted_setup(searching))
@@ -118,7 +118,7 @@ def test_colours_are_not_fitted_by_themselves_to_a_glove_of_the_other_hand(windo
     assert "Fitting the colours" not in [job.title for job in window.tasks.tasks]
 
 
-def test_a_fit_that_nobody_asked_for_is_refused_in_silence() -> None:
+def test_an_automatic_fit_fails_silently() -> None:
     live = gathered(ENOUGH)
     live.ask()
     for frame in live._frames:
@@ -130,7 +130,7 @@ def test_a_fit_that_nobody_asked_for_is_refused_in_silence() -> None:
 
 
 @needs_data
-def test_clicks_learn_from_the_images_around_them_as_a_fit_does() -> None:
+def test_clicks_learn_from_the_images_around_them_like_a_fit() -> None:
     """In lamp light one image of a bent hand shows few patches of each hue, and none of their other
     sides."""
     assert SCENES is not None

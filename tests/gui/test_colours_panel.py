@@ -1,4 +1,4 @@
-"""Tuning colours in the real window: what a click, a fit, a kept image and a restart do."""
+"""Tuning colours in the real window: effects of clicks, fits, stored images and restarts."""
 
 import dataclasses
 import threading
@@ -53,7 +53,7 @@ def setup_of(engine: ScriptedEngine):
 
 @pytest.fixture
 def colours(window, engine, qtbot):
-    """The panel in sight, on a camera with a name."""
+    """The visible panel, with a named camera."""
     window.host.adopt(setup_of(engine))
     window.run_command("show_colours")
     qtbot.waitUntil(lambda: window.colours.image.source.image() is not None, timeout=30_000)
@@ -66,13 +66,13 @@ def idle(colours, qtbot):
 
 
 def widget_point(view, u: float, v: float) -> QPoint:
-    """Where a pixel of the camera's image is on the mask view."""
+    """The position of a pixel of the camera's image on the mask view."""
     at = view.zoom.origin + QPointF(u / MASK_STEP + 0.5, v / MASK_STEP + 0.5) * view.zoom.scale
     return at.toPoint()
 
 
 def narrow(colours, name: str) -> HueRange:
-    """Choose a hue and make it so narrow that none of its patches is in it."""
+    """Select a hue and make it so narrow that it contains none of its patches."""
     index = colours.tuning.profile.hue_names.index(name)
     colours.choose_hue(index)
     first = colours.tuning.profile.hues[index].hue[0]
@@ -80,7 +80,7 @@ def narrow(colours, name: str) -> HueRange:
     return colours.tuning.profile.hues[index]
 
 
-def test_clicking_a_patch_takes_it_in_and_the_detector_finds_it(colours, engine, qtbot):
+def test_clicking_a_patch_includes_it_and_the_detector_finds_it(colours, engine, qtbot):
     image, blobs = frame_and_blobs(engine.frame)
     index = colours.tuning.profile.hue_names.index("green")
     green = blobs.left.uv[blobs.left.hue == blobs.hue_names.index("green")]
@@ -100,7 +100,7 @@ def test_clicking_a_patch_takes_it_in_and_the_detector_finds_it(colours, engine,
     assert (found.hue == index).sum() >= len(green) - 1
 
 
-def test_one_click_a_hue_learns_the_colours(colours, engine, qtbot):
+def test_one_click_per_hue_learns_the_colours(colours, engine, qtbot):
     image, blobs = frame_and_blobs(engine.frame)
     colours.tools.pick.click()
     for index, name in enumerate(colours.tuning.profile.hue_names):
@@ -120,9 +120,7 @@ def click(colours, qtbot, index: int, uv) -> None:
     qtbot.mouseClick(colours.image.mask_view, Qt.MouseButton.LeftButton, pos=at)
 
 
-def test_clicks_say_which_hues_are_missing_and_one_that_is_taken_back_does_not_count(
-    colours, engine, qtbot
-):
+def test_clicks_report_missing_hues_and_undone_ones_do_not_count(colours, engine, qtbot):
     _, blobs = frame_and_blobs(engine.frame)
     names = colours.tuning.profile.hue_names
     first = [blobs.left.uv[blobs.left.hue == blobs.hue_names.index(n)][0] for n in names]
@@ -146,7 +144,7 @@ def test_clicks_say_which_hues_are_missing_and_one_that_is_taken_back_does_not_c
     assert message().startswith("Fitted")
 
 
-def test_what_is_said_of_colours_is_taken_back_with_them(colours):
+def test_undo_also_removes_the_message_about_colours(colours):
     message = colours.ranges.words.text
     colours.ranges.rows["value"].low.setValue(33)
     colours.factory()
@@ -159,7 +157,7 @@ def test_what_is_said_of_colours_is_taken_back_with_them(colours):
     assert "factory" not in message()
 
 
-def test_with_an_eyedropper_in_hand_what_is_outside_the_range_keeps_its_colour(colours, engine):
+def test_with_an_active_eyedropper_pixels_outside_the_range_keep_their_colour(colours, engine):
     image, blobs = frame_and_blobs(engine.frame)
     hue = colours.tuning.hue_range
     other = next(k for k, name in enumerate(blobs.hue_names) if name != hue.name)
@@ -174,7 +172,7 @@ def test_with_an_eyedropper_in_hand_what_is_outside_the_range_keeps_its_colour(c
     assert not colours.tools.is_picking
 
 
-def test_the_other_eyedropper_leaves_a_pixel_out(colours, engine, qtbot):
+def test_the_other_eyedropper_excludes_a_pixel(colours, engine, qtbot):
     image, blobs = frame_and_blobs(engine.frame)
     colours.choose_hue(colours.tuning.profile.hue_names.index("red"))
     uv = blobs.left.uv[blobs.left.hue == blobs.hue_names.index("red")][0]
@@ -190,7 +188,7 @@ def test_the_other_eyedropper_leaves_a_pixel_out(colours, engine, qtbot):
 
 
 @pytest.mark.parametrize("signal", ["fit_markers", "fit_image"])
-def test_a_fit_repairs_a_hue_that_is_off_and_is_one_step_back(colours, engine, qtbot, signal):
+def test_a_fit_corrects_a_wrong_hue_and_is_one_undo_step(colours, engine, qtbot, signal):
     if signal == "fit_markers":  # the tracker still sees markers of the other hues
         narrow(colours, "blue")
     spoilt = colours.tuning.profile
@@ -206,7 +204,7 @@ def test_a_fit_repairs_a_hue_that_is_off_and_is_one_step_back(colours, engine, q
     assert colours.tuning.profile == spoilt
 
 
-def test_a_fit_without_a_tracked_hand_says_what_to_do(window, engine, qtbot):
+def test_a_fit_without_a_tracked_hand_gives_instructions(window, engine, qtbot):
     engine.tracking = Tracking.SEARCHING
     window.host.adopt(setup_of(engine))
     window.run_command("show_colours")
@@ -215,7 +213,9 @@ def test_a_fit_without_a_tracked_hand_says_what_to_do(window, engine, qtbot):
     assert "Fit from the image" in window.banner.text()
 
 
-def test_tuned_colours_come_back_for_the_same_camera_only(window, engine, store, qtbot, no_leaks):
+def test_tuned_colours_are_restored_for_the_same_camera_only(
+    window, engine, store, qtbot, no_leaks
+):
     window.host.adopt(setup_of(engine))
     window.colours.ranges.rows["saturation"].low.setValue(77)
     tuned = window.colours.tuning.profile
@@ -233,21 +233,21 @@ def test_tuned_colours_come_back_for_the_same_camera_only(window, engine, store,
     reopened.close()
 
 
-def test_a_damaged_profile_is_left_alone_and_the_shipped_one_serves(tmp_path):
+def test_a_damaged_profile_is_preserved_and_the_default_is_used(tmp_path):
     store, shipped = ColourStore(tmp_path), models()[2]
     store.path(CAMERA).write_text("schema = 1\nname = 3\n")
     assert store.load(CAMERA, shipped) is None
     assert store.path(CAMERA).read_text() == "schema = 1\nname = 3\n"
 
 
-def test_a_replay_keeps_no_colours(window, engine):
+def test_a_replay_stores_no_colours(window, engine):
     window.host.adopt(scripted_setup(engine))
     window.colours.ranges.rows["value"].low.setValue(60)
     window.colours.keeper.write()
     assert not (window.store.path.parent / "colours").exists()
 
 
-def test_a_kept_image_is_tuned_on_while_the_live_one_moves(colours, engine, qtbot):
+def test_a_stored_image_is_tuned_while_the_live_one_continues(colours, engine, qtbot):
     image = frame_and_blobs(engine.frame)[0]
     colours.image.source.keep_button.click()
     qtbot.waitUntil(lambda: not colours.image.source.is_live, timeout=30_000)
@@ -268,7 +268,7 @@ def test_a_kept_image_is_tuned_on_while_the_live_one_moves(colours, engine, qtbo
 
 
 class HeldDetector:
-    """Begins a search and ends it when it is told to; counts its calls and notes their threads."""
+    """Starts a search and ends it on request; counts its calls and records their threads."""
 
     def __init__(self) -> None:
         self.begun: list[Detector] = []
@@ -288,7 +288,7 @@ class HeldDetector:
 
 @pytest.fixture
 def held(colours, qtbot, monkeypatch):
-    """A kept image is shown, and its search is running and does not end by itself."""
+    """A stored image is shown, and its search is running and does not end on its own."""
     held = HeldDetector()
     monkeypatch.setattr(colour_search, "Detector", held.detector)
     colours.image.source.keep_button.click()
@@ -297,11 +297,11 @@ def held(colours, qtbot, monkeypatch):
     held.go_on.set()
 
 
-def test_a_kept_image_is_searched_beside_the_window(colours, held, qtbot):
+def test_a_stored_image_is_searched_in_the_background(colours, held, qtbot):
     began = time.monotonic()
     colours.image.search()
     colours.refresh(colours.host.snapshot())
-    assert time.monotonic() - began < 5  # the search itself would hold it for 30
+    assert time.monotonic() - began < 5  # the search itself would block it for 30
     assert colours.ranges.hues.chips[0].text() == "–"
     assert threading.get_ident() not in held.threads
     held.go_on.set()
@@ -312,8 +312,8 @@ def test_a_kept_image_is_searched_beside_the_window(colours, held, qtbot):
     qtbot.waitUntil(lambda: colours.ranges.hues.chips[0].text() == count, timeout=30_000)
 
 
-def test_a_replay_is_searched_with_the_colours_that_are_tuned(colours, qtbot):
-    """What it has recorded was found with others, or there is nothing recorded."""
+def test_a_replay_is_searched_with_the_tuned_colours(colours, qtbot):
+    """Its recorded blobs were found with other colours, or there are none."""
     colours.tuning.setup = dataclasses.replace(colours.tuning.setup, player=SimpleNamespace())
     colours.tuning.search = colour_search.ImageSearch(colours.tuning.setup)
     index = colours.tuning.profile.hue_names.index("green")
@@ -328,9 +328,7 @@ def test_a_replay_is_searched_with_the_colours_that_are_tuned(colours, qtbot):
     qtbot.waitUntil(lambda: chip.text() == "0", timeout=30_000)
 
 
-def test_a_replay_whose_images_come_faster_than_searches_shows_what_is_found(
-    colours, engine, qtbot, monkeypatch
-):
+def test_a_replay_faster_than_searches_shows_results(colours, engine, qtbot, monkeypatch):
     held, found = HeldDetector(), []
     monkeypatch.setattr(colour_search, "Detector", held.detector)
     replayed = dataclasses.replace(colours.tuning.setup, player=SimpleNamespace())
@@ -347,7 +345,7 @@ def test_a_replay_whose_images_come_faster_than_searches_shows_what_is_found(
     qtbot.waitUntil(lambda: len(found) == 2, timeout=30_000)  # the first one's, and the newest's
 
 
-def test_only_the_newest_profile_is_searched_with_and_shown(colours, held, qtbot):
+def test_only_the_newest_profile_is_used_and_shown(colours, held, qtbot):
     answers = []
     colours.image.changed.connect(
         lambda: answers.append(colours.tuning.rows(colours.image.shown()))
@@ -356,13 +354,13 @@ def test_only_the_newest_profile_is_searched_with_and_shown(colours, held, qtbot
         colours.ranges.rows["saturation"].low.setValue(low)
     newest = colours.tuning.profile
     held.go_on.set()
-    qtbot.waitUntil(lambda: len(held.begun) == 2, timeout=30_000)  # two were overtaken
+    qtbot.waitUntil(lambda: len(held.begun) == 2, timeout=30_000)  # two were skipped
     qtbot.waitUntil(lambda: bool(answers), timeout=30_000)
-    assert len(answers) == 1  # what the first search has found was outdated
+    assert len(answers) == 1  # the result of the first search was outdated
     assert held.begun[-1].profile == newest
 
 
-def test_a_search_of_an_image_that_is_gone_is_not_shown(colours, engine, held, qtbot):
+def test_the_result_for_a_removed_image_is_not_shown(colours, engine, held, qtbot):
     engine.frame = 60
     colours.image.source.choice.setCurrentIndex(0)
     newest = frame_and_blobs(60)[0].left
@@ -373,7 +371,7 @@ def test_a_search_of_an_image_that_is_gone_is_not_shown(colours, engine, held, q
     assert rows == seen_rows(colours.image.source.view, colours.tuning.profile)
 
 
-def test_kept_images_are_png_files_that_others_read(colours, engine, qtbot, tmp_path):
+def test_stored_images_are_standard_png_files(colours, engine, qtbot, tmp_path):
     image = frame_and_blobs(engine.frame)[0]
     colours.image.source.stored.save_file(tmp_path / "glove.png", *colours.image.source.pair())
     idle(colours, qtbot)
@@ -386,7 +384,7 @@ def test_kept_images_are_png_files_that_others_read(colours, engine, qtbot, tmp_
     assert colours.image.source.is_live and (tmp_path / "glove.png").exists()
 
 
-def test_a_removed_image_comes_back_with_undo(colours, engine, qtbot, tmp_path):
+def test_a_removed_image_is_restored_by_undo(colours, engine, qtbot, tmp_path):
     source, window = colours.image.source, colours.window()
     source.keep_button.click()
     qtbot.waitUntil(lambda: not source.is_live, timeout=30_000)
@@ -418,7 +416,7 @@ def test_an_image_that_cannot_be_removed_is_reported(colours, qtbot):
     assert colours.window().banner.text().startswith(f"{name} was not removed: ")
 
 
-def test_the_oldest_kept_image_goes_first(tmp_path):
+def test_the_oldest_stored_image_is_removed_first(tmp_path):
     folder = ImageFolder(tmp_path)
     tiny = np.zeros((4, 4, 3), np.uint8)
     for i in range(MOST + 2):
@@ -427,15 +425,15 @@ def test_the_oldest_kept_image_goes_first(tmp_path):
     assert read_image(folder.path("002")).right is None
 
 
-def test_a_frozen_image_stays(colours, engine, qtbot):
+def test_a_frozen_image_is_unchanged(colours, engine, qtbot):
     colours.image.source.freeze.setChecked(True)
     engine.frame = 60
     qtbot.wait(300)
     assert colours.image.source.image() is frame_and_blobs(30)[0].left
 
 
-def test_a_frozen_image_is_counted_with_the_colours_as_they_are_now(colours, engine, qtbot):
-    """The engine searches live images only, so its counts said nothing of a held one."""
+def test_a_frozen_image_is_counted_with_the_current_colours(colours, engine, qtbot):
+    """The engine searches live images only, so its counts did not apply to a frozen one."""
     index = colours.tuning.profile.hue_names.index("green")
     chip = colours.ranges.hues.chips[index]
     colours.image.source.freeze.setChecked(True)
@@ -459,13 +457,13 @@ def test_a_frozen_image_is_counted_with_the_colours_as_they_are_now(colours, eng
     qtbot.waitUntil(lambda: colours.image.source.image() is not image, timeout=30_000)
 
 
-def test_another_camera_begins_live(colours):
+def test_another_camera_starts_live(colours):
     colours.image.source.freeze.setChecked(True)
     colours.host.adopt(with_camera(scripted_setup(ScriptedEngine()), name="Another"))
     assert not colours.image.source.freeze.isChecked()
 
 
-def test_masks_of_held_images_follow_the_colours(colours, qtbot):
+def test_masks_of_frozen_images_follow_the_colours(colours, qtbot):
     cameras = colours.window().cameras
     colours.window().show_panel("cameras")
     cameras.masks.setChecked(True)
@@ -481,7 +479,7 @@ def test_masks_of_held_images_follow_the_colours(colours, qtbot):
     assert count(cameras.left._array) < count(before)
 
 
-def test_red_runs_through_zero_on_the_slider(colours, qtbot):
+def test_red_wraps_through_zero_on_the_slider(colours, qtbot):
     colours.choose_hue(0)
     slider = colours.ranges.rows["hue"].slider
     assert isinstance(slider, HueRangeSlider) and slider.values() == (169, 11)
@@ -489,7 +487,7 @@ def test_red_runs_through_zero_on_the_slider(colours, qtbot):
     assert a == slider._x(169) and b > slider._x(179) and c < slider._x(0) and d == slider._x(11)
 
 
-def test_dragging_a_handle_through_the_end_wraps_and_is_one_step(colours, engine, qtbot):
+def test_dragging_a_handle_past_the_end_wraps_and_is_one_step(colours, engine, qtbot):
     colours.choose_hue(0)
     slider, before = colours.ranges.rows["hue"].slider, colours.tuning.profile
 
@@ -514,7 +512,7 @@ def _move(widget, at: QPoint) -> QMouseEvent:
     return QMouseEvent(kind, QPointF(at), on_screen, none, left, keys)
 
 
-def test_arrow_keys_move_the_marked_end_round_the_circle(colours, qtbot):
+def test_arrow_keys_move_the_selected_end_around_the_circle(colours, qtbot):
     slider = colours.ranges.rows["hue"].slider
     slider.set_values(0, 20)
     qtbot.keyClick(slider, Qt.Key.Key_Left)
@@ -524,7 +522,7 @@ def test_arrow_keys_move_the_marked_end_round_the_circle(colours, qtbot):
     assert slider.values() == (179, 21)
 
 
-def test_a_room_with_a_colour_of_the_glove_is_told(colours, engine, qtbot, monkeypatch):
+def test_a_background_with_a_colour_of_the_glove_is_reported(colours, engine, qtbot, monkeypatch):
     for _ in range(ROOM_EVERY):
         colours.tuning.room.watch(colours.image.source.view, colours.tuning.profile)
     assert colours.tuning.room.shares == {}  # the grey table and the hand itself are no clash
@@ -543,8 +541,8 @@ def test_a_room_with_a_colour_of_the_glove_is_told(colours, engine, qtbot, monke
     )
 
 
-def test_what_was_learned_to_be_the_room_s_is_no_colour_of_the_room():
-    """Wood within red's range, as a fit leaves it where cloth and wood are of one hue."""
+def test_learned_background_colours_are_not_reported():
+    """Wood within red's range, as after a fit where cloth and wood have one hue."""
     wood, cloth = (90, 90, 200), (20, 20, 200)
     room = np.full((720, 1280, 3), wood, np.uint8)
     room[:72] = cloth
@@ -557,14 +555,14 @@ def test_what_was_learned_to_be_the_room_s_is_no_colour_of_the_room():
     assert room_shares(room, learned) == {"red": pytest.approx(0.1)}
 
 
-def test_a_single_patch_is_told_as_one():
+def test_a_single_patch_is_reported_in_the_singular():
     profile = models()[2]
     found = [FoundHue(h, n, 0) for n, h in enumerate(profile.hues[:2], start=1)]
     message = fit_words(found, profile)
     assert message.startswith("Fitted red (1 patch), yellow (2 patches). Not changed: green, blue")
 
 
-def test_fast_masks_are_those_of_the_profile():
+def test_fast_masks_equal_those_of_the_profile():
     image = frame_and_blobs(30)[0].left
     hsv, profile = to_hsv(image), models()[2]
     for hue in profile.hues:
@@ -578,7 +576,7 @@ def test_fast_masks_are_those_of_the_profile():
     assert np.ptp(shown[~taken], axis=1).max() == 0  # grey
 
 
-def test_closing_in_the_middle_of_a_drag_keeps_the_last_values(window, engine, store):
+def test_closing_during_a_drag_stores_the_last_values(window, engine, store):
     window.host.adopt(setup_of(engine))
     window.colours.ranges.rows["value"].low.setValue(61)
     window.close()
@@ -603,8 +601,8 @@ def test_import_and_export_ask_for_a_file(colours, monkeypatch, tmp_path):
 # --- the light
 
 
-def test_the_light_is_read_and_missed_markers_get_rings(colours, qtbot):
-    """A kept image whose colours the profile lacks; colours that fit it take the rings away."""
+def test_the_light_is_measured_and_missed_markers_get_rings(colours, qtbot):
+    """A stored image whose colours are not in the profile; suitable colours remove the rings."""
     light = colours.light
     qtbot.waitUntil(lambda: light.watch.reading is not None, timeout=30_000)
     narrow(colours, "green")
@@ -622,7 +620,7 @@ def test_the_light_is_read_and_missed_markers_get_rings(colours, qtbot):
 
 
 def test_missed_markers_of_a_frozen_image_are_those_of_that_image(colours, engine, qtbot):
-    """It was never read where the live one had been read within the second before."""
+    """It was never measured if the live one had been measured within the second before."""
     light = colours.light
     narrow(colours, "green")
     qtbot.waitUntil(lambda: len(light.rings(colours.image.shown())) > 0, timeout=30_000)
@@ -639,7 +637,7 @@ def test_missed_markers_of_a_frozen_image_are_those_of_that_image(colours, engin
 
 
 def warmer(profile):
-    """What the light has made of a profile: every hue a little on."""
+    """The effect of the light on a profile: every hue is shifted slightly."""
     hues = tuple(
         dataclasses.replace(h, hue=((h.hue[0] - 5) % 180, (h.hue[1] - 5) % 180))
         for h in profile.hues
@@ -647,17 +645,15 @@ def warmer(profile):
     return dataclasses.replace(profile, hues=hues)
 
 
-def test_colours_that_follow_the_light_are_those_that_are_shown_kept_and_moved(
-    colours, engine, qtbot, tmp_path
-):
-    """A slider moved afterwards changes the colours of this light, not of the one before."""
+def test_colours_that_follow_the_light_are_shown_stored_and_tuned(colours, engine, qtbot, tmp_path):
+    """A slider moved afterwards changes the colours of this light, not of the previous one."""
     old = colours.tuning.profile
     engine.followed = new = warmer(old)
     qtbot.waitUntil(lambda: colours.tuning.profile == new, timeout=30_000)
     row = colours.ranges.rows["hue"]
     assert row.values() == new.hues[colours.tuning.hue].hue != old.hues[colours.tuning.hue].hue
     assert colours.host.setup.profile == new  # overlays and the checklist go by it
-    assert engine.profiles == []  # nobody has given the engine other colours
+    assert engine.profiles == []  # the engine has received no other colours
     assert colours.ranges.words.text().startswith(
         "The light has changed; the colours were adapted."
     )
@@ -672,10 +668,10 @@ def test_colours_that_follow_the_light_are_those_that_are_shown_kept_and_moved(
     colours.undo()
     assert engine.profiles[-1] == new
     colours.undo()
-    assert engine.profiles[-1] == old  # who wants the light's colours no more has a way back
+    assert engine.profiles[-1] == old  # the automatic change can be undone
 
 
-def test_a_light_that_goes_on_changing_is_one_step_back(colours, engine, qtbot):
+def test_a_continuous_change_of_light_is_one_undo_step(colours, engine, qtbot):
     old = colours.tuning.profile
     for _ in range(3):
         engine.followed = new = warmer(colours.tuning.profile)
@@ -686,7 +682,7 @@ def test_a_light_that_goes_on_changing_is_one_step_back(colours, engine, qtbot):
     assert colours.tuning.profile == new
 
 
-def test_a_light_that_changes_while_markers_are_clicked_takes_no_click_back(colours, engine, qtbot):
+def test_a_change_of_light_during_clicks_preserves_them(colours, engine, qtbot):
     _, blobs = frame_and_blobs(engine.frame)
     first = blobs.left.uv[blobs.left.hue == blobs.hue_names.index("red")][0]
     colours.tools.pick.click()
@@ -696,8 +692,8 @@ def test_a_light_that_changes_while_markers_are_clicked_takes_no_click_back(colo
     assert colours.ranges.words.text().startswith("Clicked: red.")
 
 
-def test_a_click_on_a_marker_of_another_hue_is_questioned(colours, engine, qtbot):
-    """It would make one colour of two. Who means it clicks again, and Undo takes it back."""
+def test_a_click_on_a_marker_of_another_hue_needs_confirmation(colours, engine, qtbot):
+    """It would merge two colours. A second click confirms, and Undo reverts it."""
     _, blobs = frame_and_blobs(engine.frame)
     green = blobs.left.uv[blobs.left.hue == blobs.hue_names.index("green")][0]
     red = colours.tuning.profile.hue_names.index("red")
@@ -718,8 +714,8 @@ def test_a_click_on_a_marker_of_another_hue_is_questioned(colours, engine, qtbot
     assert message().startswith("Clicked: green.")
 
 
-def test_a_grey_pixel_is_refused_by_both_eyedroppers_that_take(colours, engine, qtbot):
-    """It would widen a hue until it has the wall, the table and the glove's cloth."""
+def test_a_grey_pixel_is_rejected_by_both_including_eyedroppers(colours, engine, qtbot):
+    """It would widen a hue until it includes the wall, the table and the glove's cloth."""
     image, _ = frame_and_blobs(engine.frame)
     wall = np.array([3.0, 3.0])
     assert np.ptp(image.left[3, 3].astype(int)) < 15  # levels between its channels
@@ -734,8 +730,8 @@ def test_a_grey_pixel_is_refused_by_both_eyedroppers_that_take(colours, engine, 
 
 
 @pytest.mark.parametrize("hue", range(4))
-def test_setting_from_a_pixel_makes_a_moved_hue_find_its_markers_again(colours, engine, qtbot, hue):
-    """*Pick +* only widens: what was moved far away would then be half the circle."""
+def test_setting_from_a_pixel_restores_the_markers_of_a_shifted_hue(colours, engine, qtbot, hue):
+    """*Pick +* only widens: a hue shifted far away would then be half the circle."""
     image, blobs = frame_and_blobs(engine.frame)
     name = colours.tuning.profile.hue_names[hue]
     markers = blobs.left.uv[blobs.left.hue == blobs.hue_names.index(name)]
@@ -759,7 +755,7 @@ def test_setting_from_a_pixel_makes_a_moved_hue_find_its_markers_again(colours, 
     assert colours.tuning.profile == moved
 
 
-def test_a_marker_of_a_hue_that_was_moved_is_not_taken_for_another(colours, engine, qtbot):
+def test_a_marker_of_a_shifted_hue_is_not_taken_for_another(colours, engine, qtbot):
     _, blobs = frame_and_blobs(engine.frame)
     yellow = blobs.left.uv[blobs.left.hue == blobs.hue_names.index("yellow")][0]
     index = colours.tuning.profile.hue_names.index("yellow")
@@ -774,10 +770,9 @@ def test_a_marker_of_a_hue_that_was_moved_is_not_taken_for_another(colours, engi
     assert message().startswith("This looks like yellow, not red.")
 
 
-def test_a_number_that_is_typed_is_left_alone_by_colours_that_follow_the_light(
-    colours, engine, qtbot
-):
-    """The user's edit wins; the other end and the other hues are those of the light now."""
+def test_a_number_being_typed_is_not_changed_by_the_light(colours, engine, qtbot):
+    """The user's edit has priority; the other end and the other hues are those of the present
+    light."""
     colours.window().activateWindow()
     row = colours.ranges.rows["hue"]
     index = colours.tuning.profile.hue_names.index("green")

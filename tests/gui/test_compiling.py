@@ -1,4 +1,4 @@
-"""The first start from source: kernels are compiled in sight of the user."""
+"""The first start from source: the compilation of kernels is shown to the user."""
 
 import sys
 
@@ -11,7 +11,7 @@ from tracker.kernels import parts, tools
 
 
 def words(*lines: str, status: int = 0) -> list[str]:
-    """A process that says these lines, as the compiler would."""
+    """A process that prints these lines, like the compiler."""
     progress_line = "; ".join(f"print({line!r}, flush=True)" for line in lines)
     return [sys.executable, "-c", f"{progress_line}; raise SystemExit({status})"]
 
@@ -23,7 +23,7 @@ def window(qtbot):
     return made
 
 
-def test_one_sees_how_many_parts_are_compiled(window):
+def test_the_number_of_compiled_parts_is_shown(window):
     lines = [
         tools.progress_line(part, i + 1, 12) for i, part in enumerate(["vision", "hand", "fusion"])
     ]
@@ -32,16 +32,16 @@ def test_one_sees_how_many_parts_are_compiled(window):
     assert not window.isVisible()
 
 
-def test_a_compiler_that_fails_is_quoted_and_holds_up_nobody(window, capsys):
+def test_a_failing_compiler_is_quoted_and_does_not_block(window, capsys):
     assert not window.run(words("no such header", status=1))
     assert "no such header" in capsys.readouterr().err
 
 
-def test_a_program_that_is_not_there_holds_up_nobody(window):
+def test_a_missing_program_does_not_block(window):
     assert not window.run(["/no/such/python"])
 
 
-def test_who_does_not_wait_ends_the_compiler(window, qtbot):
+def test_cancelling_stops_the_compiler(window, qtbot):
     QTimer.singleShot(200, window.later.click)
     assert not window.run([sys.executable, "-c", "import sys; sys.stdin.read()"])  # it waits for us
     assert window._process.state() == window._process.ProcessState.NotRunning

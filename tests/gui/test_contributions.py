@@ -77,7 +77,7 @@ def test_a_key_stays_with_the_first_panel_that_has_it(window):
     assert window.commands.actions["dock_same-key"].shortcut().isEmpty()
 
 
-def test_a_panel_that_cannot_be_made_is_reported_with_what_to_install(window):
+def test_a_panel_that_fails_is_reported_with_what_to_install(window):
     assert "broken" not in window.docks and "broken" not in window.panels
     log_text = window.log.model
     assert log_text.ends_with(

@@ -1,4 +1,4 @@
-"""The countdown before a recording, by keys; and that who asks from outside does not wait."""
+"""The countdown before a recording, by keys; remote requests do not wait."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ TICK_MS = 150
 
 @pytest.fixture
 def counting(window, engine, qtbot, monkeypatch):
-    """A window with a countdown of three short seconds, and what it has counted."""
+    """A window with a countdown of three short seconds, and the counts shown."""
     window.record_key._timer.setInterval(TICK_MS)
     assert record_key.SECOND_MS == 1000
     window.host.adopt(scripted_setup(engine))
@@ -28,7 +28,7 @@ def counting(window, engine, qtbot, monkeypatch):
     return window
 
 
-def test_a_recording_begins_after_the_seconds_are_counted(counting, qtbot):
+def test_a_recording_begins_after_the_countdown(counting, qtbot):
     overlay = counting.findChild(Countdown)
     qtbot.keyClick(counting, Qt.Key.Key_Space)
     assert counting.host.recording.request is None
@@ -43,7 +43,7 @@ def test_a_recording_begins_after_the_seconds_are_counted(counting, qtbot):
 
 
 @pytest.mark.parametrize("key", [Qt.Key.Key_Escape, Qt.Key.Key_Space])
-def test_escape_or_the_key_again_takes_it_back(counting, qtbot, key):
+def test_escape_or_the_key_again_cancels_it(counting, qtbot, key):
     qtbot.keyClick(counting, Qt.Key.Key_Space)
     qtbot.waitUntil(lambda: counting.counted == [3, 2], timeout=10_000)
     qtbot.keyClick(counting, key)
@@ -53,13 +53,13 @@ def test_escape_or_the_key_again_takes_it_back(counting, qtbot, key):
     assert not counting.findChild(Countdown).isVisible()
 
 
-def test_a_stop_of_tracking_takes_it_back(counting, qtbot):
+def test_stopping_tracking_cancels_it(counting, qtbot):
     counting.run_command("record")
     counting.run_command("stop")
     assert counting.record_key.left == 0
 
 
-def test_who_asks_from_outside_does_not_wait(counting, qtbot):
+def test_remote_requests_do_not_wait(counting, qtbot):
     counting.run_command("record")
     assert counting.record_key.left == 3
     assert json.loads(counting.remote.answers.answer_line('{"do": "start"}'))["ok"]
@@ -68,7 +68,7 @@ def test_who_asks_from_outside_does_not_wait(counting, qtbot):
     assert counting.host.recording.request is not None, "the countdown must not end it"
 
 
-def test_none_is_usual_and_the_choice_is_kept(window, engine, store):
+def test_the_default_is_none_and_the_choice_is_stored(window, engine, store):
     window.host.adopt(scripted_setup(engine))
     window.run_command("record")
     assert window.host.recording.request is not None

@@ -1,4 +1,4 @@
-"""What curves cost to draw, and what is drawn of many points."""
+"""The cost of drawing curves, and the thinning of many points."""
 
 from __future__ import annotations
 

@@ -34,15 +34,15 @@ def _tracked(window) -> bool:
     return view is not None and view.estimate is not None and view.estimate.tracking == 1
 
 
-def test_what_was_there_once_was_waited_for(qapp):
-    """A hand that is found and lost again at once has been found: the demo ended without one."""
+def test_a_hand_found_once_ends_the_wait(qapp):
+    """A hand that is found and lost again at once has been found: the demo did not record one."""
     answers = iter([False, True])
     assert wait_until(lambda: next(answers, False), 10.0)
     assert not wait_until(lambda: False, 0.05)
 
 
 def _recorded(window, qtbot, tmp_path):
-    """A session of a second of the glove's time, made by the record command."""
+    """A session of one second of the glove's time, recorded by the command."""
     window.recording.set_folder(tmp_path)
     window.commands.actions["record"].trigger()
     path = window.host.recording.request.path
@@ -88,9 +88,7 @@ def test_demo_record_stop_replay_export(demo, qtbot, tmp_path):
 
 
 @pytest.mark.timeout(180)
-def test_the_wearer_does_what_the_guidance_shows_and_closing_leaves_it_in_a_whole_file(
-    demo, qtbot, tmp_path
-):
+def test_the_wearer_follows_the_guidance_and_closing_leaves_a_complete_file(demo, qtbot, tmp_path):
     demo.recording.set_folder(tmp_path)
     demo.commands.actions["record"].trigger()
     path = demo.host.recording.request.path
@@ -123,7 +121,7 @@ def test_the_wearer_follows_the_conformance_script(demo, qtbot, tmp_path):
     qtbot.waitUntil(lambda: dialog.run.label == "open_hand_open" and shown() > OPEN, timeout=5_000)
     qtbot.waitUntil(lambda: dialog.run.label == "fist" and shown() < FIST, timeout=15_000)
     dialog.reject()
-    qtbot.waitUntil(lambda: shown() > FIST, timeout=15_000)  # on with what he did before
+    qtbot.waitUntil(lambda: shown() > FIST, timeout=15_000)  # continues the earlier motion
 
 
 OPEN = 0.16  # m, of `reach`
@@ -138,9 +136,7 @@ def reach(hand) -> float:
 
 
 @pytest.mark.timeout(180)
-def test_a_recorder_that_is_killed_is_said_and_then_a_camera_and_the_rest_goes_on(
-    demo, qtbot, tmp_path
-):
+def test_a_killed_recorder_or_camera_is_reported_and_the_rest_continues(demo, qtbot, tmp_path):
     demo.recording.set_folder(tmp_path)
     demo.commands.actions["record"].trigger()
     first = demo.host.recording.request.path
@@ -153,7 +149,7 @@ def test_a_recorder_that_is_killed_is_said_and_then_a_camera_and_the_rest_goes_o
     assert needs_recovery(first)
     second = _recorded(demo, qtbot, tmp_path)
     assert second != first
-    qtbot.waitUntil(lambda: not needs_recovery(second), timeout=20_000)  # a slow disk goes on
+    qtbot.waitUntil(lambda: not needs_recovery(second), timeout=20_000)  # a slow disk continues
     with SessionReader(second) as reader:
         assert reader.source.contents.finished
         assert {StereoFrame, Estimate} <= {type(m) for m in reader.messages()}
@@ -166,7 +162,7 @@ def test_a_recorder_that_is_killed_is_said_and_then_a_camera_and_the_rest_goes_o
     assert demo.host.running
 
 
-def test_one_hand_is_over_a_desk_where_the_computer_can_draw_it():
+def test_one_hand_is_over_a_desk_on_a_fast_computer():
     """A desk takes twice as long to draw as a wall: a core and a half at sixty."""
     for fps, cores, desk in ((30.0, 4, True), (30.0, 2, False), (60.0, 8, False)):
         assert DemoChoice(fps=fps).has_desk(cores) == desk

@@ -1,4 +1,4 @@
-"""Device settings in the real window: every value, changes, what is confirmed, files."""
+"""Device settings in the real window: every value, changes, confirmation, files."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ RATE = "glove_right.rate_hz"
 
 
 class Camera:
-    """Has exposure with limits and no gain; white balance stays as it is."""
+    """Has exposure with limits and no gain; white balance is constant."""
 
     def __init__(self) -> None:
         self.wanted = Locks()
@@ -71,7 +71,7 @@ def camera() -> Camera:
 
 @pytest.fixture
 def devices(window, glove, camera, qtbot):
-    """The panel in front, on a glove and a camera."""
+    """The visible panel, with a glove and a camera."""
     setup = dataclasses.replace(
         scripted_setup(ScriptedEngine()),
         simulated=False,
@@ -112,7 +112,7 @@ def again(panel) -> None:
     panel.refresh(panel.host.snapshot())
 
 
-def test_every_readable_value_is_there_with_its_unit(devices):
+def test_every_readable_value_is_listed_with_its_unit(devices):
     expected = {
         "glove_right.port": "/dev/ttyUSB0",
         "glove_right.adapter": "0403:6001",
@@ -160,7 +160,7 @@ def test_a_change_waits_for_apply_and_can_be_reverted(devices, glove, store):
     assert devices.edits == {} and not devices.tree.items[RATE].font(0).bold()
 
 
-def test_what_the_device_does_not_confirm_is_shown_so(devices, glove, camera):
+def test_an_unconfirmed_value_is_shown_as_such(devices, glove, camera):
     glove.obeys = False
     choose(devices, RATE, 200)
     type_in(devices, "camera.white_balance", "5000")
@@ -180,7 +180,7 @@ def test_what_the_device_does_not_confirm_is_shown_so(devices, glove, camera):
     assert camera.wanted == Locks(white_balance=5000.0)
 
 
-def test_what_is_out_of_its_limits_is_refused_in_words(devices, camera):
+def test_a_value_out_of_its_limits_is_rejected(devices, camera):
     type_in(devices, "camera.exposure", "9000")
     assert devices.edits == {} and "3 to 2047" in devices.report.toPlainText()
     type_in(devices, "camera.exposure", "bright")
@@ -188,13 +188,13 @@ def test_what_is_out_of_its_limits_is_refused_in_words(devices, camera):
     assert camera.wanted == Locks()
 
 
-def test_motors_run_at_a_press(devices, glove):
+def test_motors_run_at_the_press_of_a_button(devices, glove):
     devices.tree.motor.emit("glove_right.motor_1")
     assert glove.vibrated == [(1, 160, 300)]
     assert devices.tree.itemWidget(devices.tree.items["glove_right.motor_0"], 1) is not None
 
 
-def test_a_search_leaves_what_has_its_words(devices):
+def test_a_search_filters_the_list(devices):
     devices.search.setText("camera exposure")
     in_sight = [key for key, item in devices.tree.items.items() if not item.isHidden()]
     assert in_sight == ["camera.exposure"]
@@ -202,7 +202,7 @@ def test_a_search_leaves_what_has_its_words(devices):
     assert not any(item.isHidden() for item in devices.tree.items.values())
 
 
-def test_a_file_reports_what_differs_and_applies_what_can_be(devices, glove, tmp_path):
+def test_a_file_reports_differences_and_applies_what_is_possible(devices, glove, tmp_path):
     path = tmp_path / "devices.toml"
     devices.save_as(path)
     assert parse_toml(path.read_text("utf-8"), path.name)["glove_right"]["rate_hz"] == 100

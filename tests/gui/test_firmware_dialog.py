@@ -1,4 +1,4 @@
-"""The glove's firmware in the window: what it has, what comes with the program, writing it."""
+"""The glove's firmware in the window: installed and included versions, and writing it."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ PORT = "/dev/ttyUSB0"
 
 
 class Board:
-    """A glove at a port, which takes what is written or fails with words."""
+    """A glove at a port, which accepts writing or fails with a message."""
 
     def __init__(self) -> None:
         self.hello, self.trouble = OLD, ""
@@ -60,14 +60,14 @@ def dialog(window, board: Board, qtbot) -> FirmwareSetup:
     return made
 
 
-def test_the_glove_comes_first_with_its_version_and_number(dialog: FirmwareSetup) -> None:
+def test_the_glove_is_listed_first_with_its_version_and_number(dialog: FirmwareSetup) -> None:
     assert dialog.ports.currentText() == PORT
     shipped = version_text(shipped_image().version)
     assert "1.0.0" in dialog.versions.text() and shipped in dialog.versions.text()
     assert dialog.number.value() == 7
 
 
-def test_what_is_written_has_the_number_and_the_speed_that_were_chosen(
+def test_the_written_image_has_the_chosen_number_and_speed(
     dialog: FirmwareSetup, board: Board, qtbot
 ) -> None:
     dialog.number.setValue(12)
@@ -83,7 +83,7 @@ def test_what_is_written_has_the_number_and_the_speed_that_were_chosen(
     assert "Its firmware is up to date" in dialog.versions.text()
 
 
-def test_nothing_is_written_while_gloves_are_looked_for(
+def test_nothing_is_written_while_gloves_are_searched_for(
     dialog: FirmwareSetup, board: Board, qtbot
 ) -> None:
     """Another port's name shows other versions, which is no leave to begin a second thing."""
@@ -97,7 +97,7 @@ def test_nothing_is_written_while_gloves_are_looked_for(
 
 
 @pytest.mark.skipif(shutil.which("avrdude") is None, reason="needs avrdude")
-def test_a_real_avrdude_writes_from_the_window_what_comes_with_the_program(window, qtbot) -> None:
+def test_a_real_avrdude_writes_the_included_image_from_the_window(window, qtbot) -> None:
     """Into a bootloader on a simulated line, which holds the image with its number afterwards."""
     chip = Bootloader()
     dialog = FirmwareSetup(
@@ -120,7 +120,7 @@ def _newer(_port: str) -> Hello:
     return replace(OLD, glove_id=12, firmware=shipped_image().version)
 
 
-def test_what_went_wrong_is_said_and_it_can_be_tried_again(
+def test_a_failure_is_reported_and_can_be_retried(
     dialog: FirmwareSetup, board: Board, qtbot
 ) -> None:
     board.trouble = "The board does not answer as a bootloader."
@@ -132,9 +132,7 @@ def test_what_went_wrong_is_said_and_it_can_be_tried_again(
     qtbot.waitUntil(lambda: len(board.jobs) == 1, timeout=20_000)
 
 
-def test_tracking_on_the_glove_is_stopped_before_its_firmware_is_written(
-    window, board: Board, qtbot
-) -> None:
+def test_tracking_is_stopped_before_the_firmware_is_written(window, board: Board, qtbot) -> None:
     window.host.adopt(replace(scripted_setup(ScriptedEngine()), simulated=False))
     asked: list[str] = []
     dialog = FirmwareSetup(

@@ -33,7 +33,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def session(made, tmp_path):
-    """Each test fills beside its own copy."""
+    """Each test fills into its own copy."""
     path = tmp_path / "cut.mcap"
     path.write_bytes(made.read_bytes())
     return path
@@ -41,7 +41,7 @@ def session(made, tmp_path):
 
 @pytest.fixture
 def review(window, session, qtbot):
-    """A paused replay with its gaps listed and in front."""
+    """A paused replay with its gaps listed in the visible panel."""
     window.sources.open_session(session)
     qtbot.waitUntil(lambda: window.host.running, timeout=60_000)
     window.host.setup.player.play(False)
@@ -76,14 +76,14 @@ def test_gaps_are_listed_with_start_length_and_cause(review):
     assert f"({page.table.rowCount()})" in review.library.pages.bar.tabText(PAGE)
 
 
-def test_the_list_is_sorted_by_what_a_column_means(review):
+def test_the_list_is_sorted_by_the_columns_values(review):
     page = review.library.gaps.page
     page.table.sortItems(LENGTH, Qt.SortOrder.DescendingOrder)
     lengths = [float(text.split()[0]) for text in cells(page, LENGTH)]
     assert lengths == sorted(lengths, reverse=True)
 
 
-def test_a_filter_lists_one_kind_and_the_timeline_marks_what_is_listed(review):
+def test_a_filter_lists_one_kind_and_the_timeline_marks_the_listed_ones(review):
     page, timeline = review.library.gaps.page, review.library.transport.timeline
     everything = page.table.rowCount()
     assert len(timeline.spans) == everything
@@ -151,7 +151,7 @@ def test_filled_gaps_are_in_a_new_file_and_never_shown_as_measured(review, sessi
     qtbot.waitUntil(lambda: not review.library.transport.interpolated.isVisible(), timeout=10_000)
 
 
-def test_a_removed_range_comes_back_with_undo(review):
+def test_a_removed_range_is_restored_by_undo(review):
     transport, player = review.library.transport, review.host.setup.player
     transport.set_range(0.5, 2.5)
     transport.clear_range()
@@ -172,7 +172,7 @@ def in_gap(window):
     return e is not None and CUTS[1][0] < e.t - start < CUTS[1][1]
 
 
-def test_a_list_without_rows_says_why(review, window):
+def test_a_list_without_rows_gives_the_reason(review, window):
     page = review.library.gaps.page
     assert not page.empty.isVisible() and page.table.isVisible()
     found = page.found

@@ -1,4 +1,4 @@
-"""The window for the glove: wiggles lead, rest is waited for, a side is chosen."""
+"""The glove set-up window: wiggle test, rest measurement, choice of a side."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def samples(part: str, t: float, seconds: float):
     return [replace(s, t=s.t + t) for s in simulator.samples(0.0, seconds)]
 
 
-def test_a_wiggle_run_leads_through_all_steps_by_what_it_sees():
+def test_a_wiggle_test_advances_through_all_steps_by_the_motion():
     hand, glove, _ = models()
     run, t, asked = WiggleRun(WiggleTest(hand, glove)), 0.0, []
     recent: list = []
@@ -47,7 +47,7 @@ def test_a_wearer_who_does_nothing_is_asked_again():
     assert 10 < t < 20 and run.step == 0 and "thumb" in run.words
 
 
-def test_a_still_run_waits_for_rest_and_gives_up_in_words():
+def test_a_rest_measurement_waits_for_rest_and_times_out():
     names = models()[1].imu_names
     run = StillRun(names)
     recent = samples("index", 0.0, 2.5)
@@ -79,7 +79,7 @@ def test_the_simulated_glove_is_measured_and_tested_by_clicks(window, qtbot):
     qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
 
 
-def test_a_side_begins_with_its_usual_glove(window, qtbot):
+def test_a_side_starts_with_its_default_glove(window, qtbot):
     window.run_command("glove_setup")
     choice = window.set_up.dialogs["glove"].choice
     for side, usual in (("left", "vist-small-left"), ("right", "vist-small")):
@@ -89,8 +89,8 @@ def test_a_side_begins_with_its_usual_glove(window, qtbot):
     qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
 
 
-def test_the_place_of_the_glove_in_use_is_that_glove(window, store, qtbot, tmp_path):
-    """A glove that was bound to wrong files is set up anew by its port, which the session has."""
+def test_the_port_of_the_glove_in_use_selects_that_glove(window, store, qtbot, tmp_path):
+    """A glove bound to wrong files is set up again by its port, which the session has open."""
     port = str(tmp_path / "glove_left")
     known = BoundGlove("right", "vist-small", "reference-right", "", port)
     store.update(gloves=with_bound(store.value, 7, known), port=port)
@@ -119,9 +119,7 @@ def test_choosing_the_left_side_offers_left_files_and_is_stored(window, store, q
     qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
 
 
-def test_gloves_that_are_found_after_the_window_for_them_has_gone_harm_nothing(
-    window, qtbot, monkeypatch
-):
+def test_gloves_found_after_closing_the_window_are_ignored(window, qtbot, monkeypatch):
     gone = threading.Event()
 
     def slow_ports():
@@ -141,7 +139,7 @@ def test_gloves_that_are_found_after_the_window_for_them_has_gone_harm_nothing(
     assert exceptions == []
 
 
-def test_the_port_is_free_when_the_window_is_told_of_the_glove(window, qtbot):
+def test_the_port_is_free_when_the_window_reports_the_glove(window, qtbot):
     window.run_command("glove_setup")
     dialog = window.set_up.dialogs["glove"]
     reader, read_then = dialog._feed._thread, []
@@ -152,7 +150,7 @@ def test_the_port_is_free_when_the_window_is_told_of_the_glove(window, qtbot):
     qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
 
 
-def test_the_set_up_says_which_glove_sends(window, store, qtbot, monkeypatch):
+def test_the_set_up_shows_which_glove_sends(window, store, qtbot, monkeypatch):
     """Without a glove "The glove answers" was the simulated one, beside "No USB serial port"."""
     monkeypatch.setattr("app.wizards.glove.wizard.serial_ports", list)
     window.run_command("glove_setup")

@@ -19,7 +19,7 @@ SLOW = PortReport("/dev/ttyUSB3", Hello(7, 7), baud=115_200)
 
 @pytest.fixture
 def asked(monkeypatch):
-    """What the search for gloves was told; one answers at 115200 baud alone."""
+    """The requests of the search for gloves; one answers at 115200 baud only."""
     calls = []
 
     def find(paths, bauds):
@@ -33,19 +33,19 @@ def asked(monkeypatch):
     return calls
 
 
-def test_both_speeds_are_asked_and_the_one_that_answers_is_used(asked):
+def test_both_speeds_are_tried_and_the_answering_one_is_used(asked):
     (found,) = find_hand_gloves(lambda _share, _text: None, AppSettings()).gloves
     assert found.report.baud == found.link().params.baud == 115_200
     assert asked == [("/dev/ttyUSB3", BAUDS)]
 
 
-def test_a_chosen_speed_is_the_only_one_asked(asked):
+def test_a_chosen_speed_is_the_only_one_tried(asked):
     with pytest.raises(DeviceError, match="Silence"):
         find_hand_gloves(lambda _share, _text: None, AppSettings(baud=250_000))
     assert asked == [("/dev/ttyUSB3", (250_000,))]
 
 
-def test_the_page_offers_both_and_knows_at_which_a_glove_answered(qtbot):
+def test_the_page_offers_both_and_shows_the_answering_one(qtbot):
     page = ChoicePage(AppSettings(port=SLOW.path), [], with_session=False)
     qtbot.addWidget(page)
     assert [page.speed.itemData(i) for i in range(page.speed.count())] == [0, *BAUDS]
@@ -60,7 +60,7 @@ def test_the_page_offers_both_and_knows_at_which_a_glove_answered(qtbot):
     assert chosen.baud() == 115_200
 
 
-def test_the_command_line_chooses_for_one_run(window, store, monkeypatch):
+def test_the_command_line_selects_for_one_run(window, store, monkeypatch):
     args = build_parser(["window"]).parse_args(["window", "--devices", "--baud", "115200"])
     assert args.devices and args.baud == 115_200
     with pytest.raises(SystemExit):

@@ -1,4 +1,4 @@
-"""Graphs of any signals in the real window: chosen in the tree, drawn, read, copied, remembered."""
+"""Graphs of any signals in the real window: selected, drawn, read, copied, restored."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def tick(panel, key: str, on: bool = True) -> None:
 
 
 def show(panel, *graphs: tuple[str, ...]):
-    """These graphs alone, once they are in sight."""
+    """Only these graphs, once they are visible."""
     window = panel.window()
     window.docks["graphs"].setFloating(True)
     window.docks["graphs"].resize(900, 700)
@@ -101,7 +101,7 @@ def test_the_first_start_shows_the_index_finger_and_what_it_measures(graphs, eng
     assert y[-1] == pytest.approx(np.rad2deg(engine.latest_estimate().angles[column]))
 
 
-def test_a_signal_is_found_by_words_ticked_and_taken_out(graphs, engine):
+def test_a_signal_is_found_by_text_added_and_removed(graphs, engine):
     plot = only(graphs)
     graphs.tree.search.setText("dorsum RATE x")
     assert [k for k in graphs.data.signals if not leaf(graphs, k).isHidden()] == [GYRO_X]
@@ -119,7 +119,7 @@ def test_a_signal_is_found_by_words_ticked_and_taken_out(graphs, engine):
     assert plot.graph.keys == () and plot.plot.curves == []
 
 
-def test_two_units_have_two_axes_and_a_third_is_refused_in_words(graphs):
+def test_two_units_have_two_axes_and_a_third_is_rejected(graphs):
     plot = only(graphs, GYRO_X, "right/imu/dorsum/accel/norm")
     graphs.refresh(graphs.host.snapshot())
     assert plot.plot.plot.getAxis("right").isVisible()
@@ -155,7 +155,7 @@ def test_norms_and_speeds_are_those_of_the_messages(graphs, engine):
     assert speed[at] == pytest.approx(true[inner], rel=1e-6)
 
 
-def test_a_pause_holds_one_graph_and_the_cursor_reads_all(graphs, engine):
+def test_a_pause_freezes_one_graph_and_the_cursor_reads_all(graphs, engine):
     angle = "right/hand/angle/index_"
     plot, other = show(graphs, (angle + "pip_flexion",), (angle + "mcp_flexion",))
     advance(graphs, engine, range(31, 36))
@@ -178,7 +178,7 @@ def test_a_pause_holds_one_graph_and_the_cursor_reads_all(graphs, engine):
     assert "<b>" not in plot.legend.text() + other.legend.text()
 
 
-def test_what_is_shown_is_copied_as_csv(graphs, engine):
+def test_the_visible_part_is_copied_as_csv(graphs, engine):
     angle = "right/hand/angle/index_pip_flexion"
     plot = only(graphs, angle, GYRO_X)
     advance(graphs, engine, (31, 33, 35))
@@ -229,7 +229,7 @@ def test_graphs_and_named_layouts_survive_a_restart(graphs, live, store, qtbot):
     second.close()
 
 
-def test_signals_that_are_not_there_are_named_and_not_forgotten(graphs):
+def test_missing_signals_are_named_and_preserved(graphs):
     plot = only(graphs, "left/imu/dorsum/gyro/x", GYRO_X)
     assert "left/imu/dorsum/gyro/x" in plot.legend.text() and len(plot.plot.curves) == 1
     assert plot.graph.keys == ("left/imu/dorsum/gyro/x", GYRO_X)
@@ -249,7 +249,7 @@ def test_a_dragged_branch_fills_a_graph_up_to_its_limit(graphs, qtbot):
     assert [g.keys for g in graphs.stack.graphs] == [(GYRO_X,)]
 
 
-def test_nothing_is_computed_out_of_sight(graphs, live, engine, monkeypatch, qtbot):
+def test_hidden_graphs_compute_nothing(graphs, live, engine, monkeypatch, qtbot):
     asked = []
     monkeypatch.setattr(graphs.data._live, "take", lambda view: asked.append(view))
     live.show_panel("library")
@@ -286,7 +286,7 @@ def test_a_replay_shows_the_whole_recording_and_a_click_goes_there(window, qtbot
     np.testing.assert_allclose(drawn(second)[0], [s.t - start for s in samples])
     assert drawn(second)[1] == pytest.approx([np.rad2deg(s.gyro[imu, 0]) for s in samples])
     np.testing.assert_array_equal(drawn(third, 1)[1], [len(b.left) for b in blobs])
-    # px from the glove file's markers on the recorded hand: its wearer's own sit 3 mm beside them
+    # px from the glove file's markers on the recorded hand: its wearer's own are 3 mm off
     assert 0.0 < np.nanmedian(drawn(first, 1)[1]) < 8.0
     begin, end = first.plot.plot.viewRange()[0]
     assert begin == 0.0 and end == pytest.approx(player.duration)

@@ -1,5 +1,5 @@
-"""Guided calibration by hand: keys, poses judged from given estimates, what the file and the engine
-are told, and what is kept or taken back."""
+"""Guided calibration with the keyboard: poses evaluated from given estimates, events in the file
+and for the engine, and whether results are kept or undone."""
 
 import dataclasses
 
@@ -20,7 +20,7 @@ from tracker.simulation.postures import posture
 
 
 class Posed(ScriptedEngine):
-    """A tracked hand that is held as ``angles`` (J,) say, beside a filter that takes commands."""
+    """A tracked hand with the given ``angles`` (J,), and a filter that executes commands."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -31,7 +31,7 @@ class Posed(ScriptedEngine):
         self.reported: list[tuple[str, str, bool]] = []
         self.silent, self._t = False, 0.0
         self.tracking = Tracking.TRACKING
-        self.unsensed: tuple[str, ...] = ()  # digits that nothing measures
+        self.unsensed: tuple[str, ...] = ()  # unmeasured digits
 
     def latest_estimate(self):
         self._t += 0.0 if self.silent else 0.01
@@ -71,7 +71,7 @@ class Posed(ScriptedEngine):
             self.recorder.write(event)
 
     def take(self, pose: str) -> None:
-        """Hold the hand as the drawing has it."""
+        """Hold the hand as in the drawing."""
         self.angles = self.drawn.angles(pose)
 
 
@@ -111,7 +111,7 @@ def guided(window, engine, clock, recorders, qtbot, monkeypatch):
     qtbot.keyClick(window, Qt.Key.Key_F6)
     dialog = window.set_up.dialogs["guided"]
     dialog._timer.stop()  # the test is the clock
-    # hundreds of images that nobody looks at; those of conformance are painted
+    # hundreds of images that no test checks; those of conformance are drawn
     monkeypatch.setattr(dialog.lead.stage.view, "render_scene", lambda: None)
     with qtbot.waitActive(dialog):
         dialog.activateWindow()
@@ -125,15 +125,13 @@ def pass_time(dialog, clock, seconds: float, step: float = 0.05) -> None:
 
 
 def through(dialog, clock, engine) -> None:
-    """Hold each pose well as soon as it is asked for."""
+    """Hold each pose well as soon as it is requested."""
     while dialog.run.is_running:
         engine.take(dialog.run.pose)
         pass_time(dialog, clock, 0.1, step=0.1)  # half a minute of ticks costs seconds
 
 
-def test_held_well_every_pose_is_told_to_begin_and_to_end_within_half_a_minute(
-    guided, clock, engine, qtbot
-):
+def test_well_held_poses_begin_and_end_within_half_a_minute(guided, clock, engine, qtbot):
     qtbot.keyClick(guided.lead.start, Qt.Key.Key_Return)
     began_at = clock.now
     through(guided, clock, engine)
@@ -142,7 +140,7 @@ def test_held_well_every_pose_is_told_to_begin_and_to_end_within_half_a_minute(
     assert 25.0 < clock.now - began_at < 35.0
 
 
-def test_a_recording_carries_the_poses_as_the_specification_has_them(
+def test_a_recording_contains_the_poses_as_specified(
     guided, window, clock, engine, recorders, tmp_path
 ):
     window.recording.set_folder(tmp_path)
@@ -159,7 +157,7 @@ def test_a_recording_carries_the_poses_as_the_specification_has_them(
     assert events[0].text and not events[1].text
 
 
-def test_a_finger_that_is_bent_is_named_and_the_ring_stays_empty(guided, clock, engine):
+def test_a_bent_finger_is_named_and_the_ring_remains_empty(guided, clock, engine):
     guided.start()
     engine.angles = posture(models()[0], {"middle_pip_flexion": 45.0})
     pass_time(guided, clock, 4.0)
@@ -167,7 +165,7 @@ def test_a_finger_that_is_bent_is_named_and_the_ring_stays_empty(guided, clock, 
     assert guided.lead.stage.ring.share == 0.0 and engine.reported == []
 
 
-def test_a_pose_let_go_too_early_is_told_as_not_held_and_asked_for_again(guided, clock, engine):
+def test_a_pose_released_too_early_is_not_held_and_requested_again(guided, clock, engine):
     guided.start()
     engine.take("flat")
     pass_time(guided, clock, 2.5)
@@ -179,7 +177,7 @@ def test_a_pose_let_go_too_early_is_told_as_not_held_and_asked_for_again(guided,
     assert guided.lead.word.text().startswith("Straighten")
 
 
-def test_skipping_leaves_a_pose_out_and_says_so_in_the_file(guided, clock, engine, qtbot):
+def test_skipping_omits_a_pose_and_records_it(guided, clock, engine, qtbot):
     guided.start()
     pass_time(guided, clock, 0.2)
     qtbot.keyClick(guided, Qt.Key.Key_S)
@@ -187,7 +185,7 @@ def test_skipping_leaves_a_pose_out_and_says_so_in_the_file(guided, clock, engin
     assert guided.run.pose == "spread"
 
 
-def test_repeating_goes_back_to_the_pose_before(guided, clock, engine, qtbot):
+def test_repeating_returns_to_the_previous_pose(guided, clock, engine, qtbot):
     guided.start()
     engine.take("flat")
     pass_time(guided, clock, 3.7)
@@ -201,7 +199,7 @@ def test_repeating_goes_back_to_the_pose_before(guided, clock, engine, qtbot):
     ]
 
 
-def test_who_is_not_believed_insists_with_enter(guided, clock, engine, qtbot):
+def test_enter_accepts_a_pose_that_is_not_recognised(guided, clock, engine, qtbot):
     guided.start()
     engine.take("fist")
     pass_time(guided, clock, 2.0)
@@ -210,14 +208,14 @@ def test_who_is_not_believed_insists_with_enter(guided, clock, engine, qtbot):
     assert engine.reported == [("flat", "begin", False), ("flat", "end", True)]
 
 
-def test_a_pose_that_is_never_held_is_left_out_after_a_while(guided, clock, engine):
+def test_a_pose_that_is_never_held_is_skipped_after_a_while(guided, clock, engine):
     guided.start()
     engine.take("fist")
     pass_time(guided, clock, 14.0)
     assert guided.run.held["flat"] is False and guided.run.pose == "spread"
 
 
-def test_a_glove_that_is_silent_is_said(guided, clock, engine, monkeypatch):
+def test_a_glove_without_data_is_reported(guided, clock, engine, monkeypatch):
     guided.start()
     engine.take("flat")
     guided.run._judge._clock = clock
@@ -228,7 +226,7 @@ def test_a_glove_that_is_silent_is_said(guided, clock, engine, monkeypatch):
     assert guided.run.phase == GuidedPhase.REACHING
 
 
-def test_escape_ends_it_and_tells_the_engine_that_the_pose_is_over(guided, clock, engine, qtbot):
+def test_escape_ends_it_and_ends_the_pose_in_the_engine(guided, clock, engine, qtbot):
     guided.start()
     engine.take("flat")
     pass_time(guided, clock, 2.5)
@@ -237,7 +235,7 @@ def test_escape_ends_it_and_tells_the_engine_that_the_pose_is_over(guided, clock
     assert not guided.isVisible()
 
 
-def test_escape_after_poses_that_were_held_shows_what_they_taught(guided, clock, engine, qtbot):
+def test_escape_after_held_poses_shows_their_result(guided, clock, engine, qtbot):
     guided.start()
     engine.take("flat")
     pass_time(guided, clock, 3.7)
@@ -248,14 +246,14 @@ def test_escape_after_poses_that_were_held_shows_what_they_taught(guided, clock,
 
 
 def teach(engine: ChainEngine, degrees: float, sure: float = 0.5) -> None:
-    """As if a pose had shown that the index finger's end joint bends further; its parameters are
-    ``sure`` times as unsure as before."""
+    """As if a pose had shown that the index finger's end joint bends further; the standard
+    deviations of its parameters are multiplied by ``sure``."""
     guided = engine.wearer.guided
     own = guided.synergies
     digit = next(k for k, d in enumerate(engine.wearer._distal.digits) if d.name == "index")
     value, P = own.value.copy(), own.P.copy()
     value[digit, 1] += np.deg2rad(degrees)
-    P[3 * digit : 3 * digit + 3] *= sure**2  # it stands apart from the others
+    P[3 * digit : 3 * digit + 3] *= sure**2  # it is uncorrelated with the others
     guided.saved.synergies = dataclasses.replace(own, value=value, P=P)
 
 
@@ -267,7 +265,7 @@ def finished(guided, clock, engine, qtbot) -> None:
     qtbot.waitUntil(lambda: guided.outcome.keep_button.isEnabled(), timeout=10_000)
 
 
-def test_what_was_learned_is_said_in_words_and_in_figures(guided, clock, engine, qtbot):
+def test_learned_parameters_are_reported_as_text_and_figures(guided, clock, engine, qtbot):
     finished(guided, clock, engine, qtbot)
     words = guided.outcome.words.text()
     assert "The end joint of your index finger bends 6° more than estimated before." in words
@@ -280,13 +278,13 @@ def test_what_was_learned_is_said_in_words_and_in_figures(guided, clock, engine,
     )
     assert after - before == pytest.approx(6.0, abs=0.11)  # one decimal of each
     p = ChainParams().synergy
-    bent = np.hypot(p.ratio * 90.0, p.offset_deg)  # what people differ by in a fist
+    bent = np.hypot(p.ratio * 90.0, p.offset_deg)  # standard deviation between people in a fist
     assert sd_before == pytest.approx(bent, abs=0.06)
     assert sd_after == pytest.approx(bent / 2, abs=0.06)
     assert table.item(row, 3).text() == "▲ +6.0°"
 
 
-def test_undo_takes_back_what_the_poses_have_taught(guided, clock, engine, qtbot):
+def test_undo_reverts_what_the_poses_have_taught(guided, clock, engine, qtbot):
     before = engine.inner.wearer.synergies[0].copy()
     finished(guided, clock, engine, qtbot)
     assert np.abs(engine.inner.wearer.synergies[0] - before).max() > np.deg2rad(5.0)
@@ -295,14 +293,16 @@ def test_undo_takes_back_what_the_poses_have_taught(guided, clock, engine, qtbot
     assert not guided.isVisible()
 
 
-def test_what_is_kept_stays_with_the_engine(guided, clock, engine, qtbot):
+def test_kept_results_remain_in_the_engine(guided, clock, engine, qtbot):
     finished(guided, clock, engine, qtbot)
     taught = engine.inner.wearer.synergies[0].copy()
     qtbot.keyClick(guided.outcome.keep_button, Qt.Key.Key_Return)
     np.testing.assert_array_equal(engine.inner.wearer.synergies[0], taught)
 
 
-def test_what_is_kept_goes_into_the_chosen_wearers_profile(guided, window, clock, engine, qtbot):
+def test_kept_results_are_saved_in_the_selected_wearers_profile(
+    guided, window, clock, engine, qtbot
+):
     window.calibration.profiles.save("Anna")
     row = window.calibration.wearer
     qtbot.waitUntil(lambda: row.name == "Anna", timeout=10_000)
@@ -313,7 +313,7 @@ def test_what_is_kept_goes_into_the_chosen_wearers_profile(guided, window, clock
     qtbot.waitUntil(lambda: file.read_text("utf-8") != before, timeout=10_000)
 
 
-def test_kept_of_somebody_new_it_offers_to_save(guided, window, clock, engine, qtbot):
+def test_kept_results_of_a_new_wearer_are_offered_to_be_saved(guided, window, clock, engine, qtbot):
     finished(guided, clock, engine, qtbot)
     guided.outcome.keep_button.click()
     assert "until this session ends" in window.banner.text()
@@ -328,7 +328,7 @@ def test_the_calibration_panel_and_the_set_up_list_lead_to_it(guided, window):
     assert window.set_up.dialogs["guided"].isVisible()
 
 
-def test_it_ends_with_the_tracking(guided, window, clock, engine):
+def test_it_ends_when_tracking_stops(guided, window, clock, engine):
     guided.start()
     engine.take("flat")
     pass_time(guided, clock, 2.0)
@@ -336,7 +336,7 @@ def test_it_ends_with_the_tracking(guided, window, clock, engine):
     assert engine.reported[-1] == ("flat", "end", False) and not guided.isVisible()
 
 
-def test_without_an_engine_that_learns_it_is_not_begun(window, engine):
+def test_without_a_learning_engine_it_cannot_be_started(window, engine):
     window.store.update(engine="vist")
     window.host.adopt(scripted_setup(engine))
     window.run_command("guided")
@@ -350,25 +350,25 @@ def rows_of(dialog) -> dict[str, list[str]]:
     return {what: rest for what, *rest in texts}
 
 
-def test_a_change_within_what_is_left_unsure_is_no_sentence(guided, clock, engine, qtbot):
+def test_an_insignificant_change_is_not_reported(guided, clock, engine, qtbot):
     guided.start()
     qtbot.waitUntil(lambda: guided._before is not None, timeout=10_000)
     through(guided, clock, engine)
-    teach(engine.inner, 6.0, sure=0.9)  # of 8.2° that people differ by in a fist
+    teach(engine.inner, 6.0, sure=0.9)  # of 8.2° standard deviation between people in a fist
     qtbot.waitUntil(lambda: guided.outcome.keep_button.isEnabled(), timeout=10_000)
     summary = guided.outcome.words.text()
     assert summary == "Your fingers bend as expected."
     assert rows_of(guided)["End joint of the index finger, bent"][2] == "+6.0°"
 
 
-def test_nothing_is_claimed_of_fingers_without_sensors(guided, clock, engine, qtbot):
-    """They bend as index and middle finger do, and nobody has looked."""
+def test_no_result_is_reported_for_fingers_without_sensors(guided, clock, engine, qtbot):
+    """They bend like index and middle finger, and are not measured."""
     finished(guided, clock, engine, qtbot)
     assert not [what for what in rows_of(guided) if "ring" in what or "little" in what]
     assert "ring" not in guided.outcome.words.text()
 
 
-def test_a_finger_that_nothing_measures_is_not_said_to_be_held_well(guided, clock, engine):
+def test_an_unmeasured_finger_is_not_reported_as_held_well(guided, clock, engine):
     guided.start()
     engine.unsensed = ("ring",)
     while guided.run.pose != "pinch_ring":
@@ -378,7 +378,7 @@ def test_a_finger_that_nothing_measures_is_not_said_to_be_held_well(guided, cloc
     assert guided.lead.word.text() == "Hold it: this finger has no sensor"
 
 
-def test_who_is_not_seen_is_waited_for(guided, clock, engine):
+def test_an_untracked_hand_is_waited_for(guided, clock, engine):
     """Neither an unplugged glove nor a hand out of view is a pose that cannot be held."""
     guided.start()
     engine.silent = True
@@ -395,8 +395,8 @@ def test_who_is_not_seen_is_waited_for(guided, clock, engine):
     assert guided.run.held == {"flat": True}
 
 
-def test_who_insists_must_be_seen(guided, clock, engine, qtbot):
-    """The engine would learn from nothing: the glove is unplugged, its images go on."""
+def test_accepting_a_pose_requires_a_tracked_hand(guided, clock, engine, qtbot):
+    """The engine would learn from nothing: the glove is unplugged, its images continue."""
     engine.take("fist")
     guided.start()
     pass_time(guided, clock, 2.0)
@@ -415,8 +415,8 @@ def test_who_insists_must_be_seen(guided, clock, engine, qtbot):
     assert guided.run.held == {} and engine.reported[-1] == ("flat", "end", False)
 
 
-def test_it_ends_with_the_tracking_after_poses_that_were_held_too(guided, window, clock, engine):
-    """There is no engine any more that could say what they taught."""
+def test_it_ends_when_tracking_stops_also_after_held_poses(guided, window, clock, engine):
+    """There is no engine any more that could report what they taught."""
     guided.start()
     engine.take("flat")
     pass_time(guided, clock, 6.0)
@@ -425,7 +425,7 @@ def test_it_ends_with_the_tracking_after_poses_that_were_held_too(guided, window
     assert not guided.isVisible() and "guided" not in window.set_up.dialogs
 
 
-def test_closing_the_window_in_the_middle_leaves_nothing_behind(guided, window, clock, engine):
+def test_closing_the_window_during_a_pose_leaves_nothing_behind(guided, window, clock, engine):
     guided.start()
     engine.take("flat")
     pass_time(guided, clock, 6.0)
@@ -442,7 +442,7 @@ def test_another_engine_ends_it(guided, window, clock, engine):
     assert not guided.isVisible()
 
 
-def test_a_frozen_calibration_says_that_poses_teach_nothing(guided, clock, engine, qtbot):
+def test_a_frozen_calibration_reports_that_poses_have_no_effect(guided, clock, engine, qtbot):
     engine.inner.wearer.freeze(True)
     guided.start()
     qtbot.waitUntil(lambda: guided.pages.currentWidget() is guided.outcome, timeout=10_000)
@@ -453,9 +453,7 @@ def test_a_frozen_calibration_says_that_poses_teach_nothing(guided, clock, engin
     qtbot.waitUntil(lambda: guided._before is not None, timeout=10_000)
 
 
-def test_once_more_and_ended_at_once_still_shows_what_was_taught_before(
-    guided, clock, engine, qtbot
-):
+def test_repeating_and_ending_at_once_still_shows_the_earlier_result(guided, clock, engine, qtbot):
     finished(guided, clock, engine, qtbot)
     guided.outcome.again_button.click()
     while guided.run.is_running:
@@ -481,8 +479,8 @@ def both(window, clock, qtbot, monkeypatch):
     return dialog, right, left
 
 
-def test_of_two_hands_it_is_the_one_it_was_begun_with(both, window, clock, qtbot):
-    """Whichever the window shows by the time the poses are held, kept or taken back."""
+def test_with_two_hands_it_applies_to_the_one_it_was_started_for(both, window, clock, qtbot):
+    """Whichever the window shows by the time the poses are held, kept or undone."""
     dialog, right, left = both
     assert dialog.windowTitle() == "Guided calibration, right hand"
     before = right.inner.wearer.synergies[0].copy()

@@ -1,4 +1,4 @@
-"""The hand that shows guided poses shows what is asked for, right and left."""
+"""The hand in the drawings of guided poses matches the poses, right and left."""
 
 import numpy as np
 import pytest
@@ -20,8 +20,8 @@ RIGHT, LEFT = hand_of("reference-right"), hand_of("reference-left")
 
 @pytest.mark.parametrize("hand", [RIGHT, LEFT], ids=["right", "left"])
 @pytest.mark.parametrize("pose", POSES)
-def test_drawn_joints_are_within_what_the_pose_says(hand, pose):
-    """Two and a half standard deviations: what a wearer who copies the drawing is believed."""
+def test_drawn_joints_match_the_pose(hand, pose):
+    """Within 2.5 standard deviations: accepted for a wearer who copies the drawing."""
     angles = DrawnHand(hand).angles(pose)
     for held in POSES[pose].flexions:
         off = angles[hand.angle_index[f"{held.joint}_flexion"]] - held.value
@@ -41,7 +41,7 @@ def test_drawn_pads_meet(hand, pose):
     assert np.linalg.norm(pads[0] - pads[1]) < 0.004
 
 
-def test_a_left_hand_is_the_mirror_of_a_right_one():
+def test_a_left_hand_is_the_mirror_image_of_a_right_one():
     mirror = np.array([1.0, -1.0, 1.0])
     for pose in POSES:
         right, left = (DrawnHand(hand).shown("fist", pose, 0.4) for hand in (RIGHT, LEFT))
@@ -49,7 +49,7 @@ def test_a_left_hand_is_the_mirror_of_a_right_one():
         np.testing.assert_allclose(left.eye, right.eye * mirror, atol=1e-12)
 
 
-def test_the_way_is_shown_again_from_rest_but_not_while_a_pose_is_held():
+def test_the_transition_is_repeated_from_rest_but_not_while_a_pose_is_held():
     drawn = DrawnHand(RIGHT)
     there, held = (drawn.shown("flat", "fist", t).p for t in (MOVE, AGAIN + 0.1))
     np.testing.assert_allclose(held, there)
@@ -57,5 +57,5 @@ def test_the_way_is_shown_again_from_rest_but_not_while_a_pose_is_held():
     assert np.abs(again - there).max() > 0.02
 
 
-def test_every_pose_has_its_words():
+def test_every_pose_has_an_instruction():
     assert set(POSE_WORDS) == set(POSE_NAMES) == set(POSES)

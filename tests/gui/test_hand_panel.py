@@ -63,7 +63,7 @@ def see(hand):
     return hand._scene
 
 
-def test_a_trail_is_the_way_of_the_fingertip(hand, engine):
+def test_a_trail_is_the_path_of_the_fingertip(hand, engine):
     choose(hand.controls.trail, "index")
     row = models()[1].keypoint_names(models()[0]).index("index_tip")
     way = []
@@ -81,7 +81,7 @@ def test_a_trail_is_the_way_of_the_fingertip(hand, engine):
     assert not hand._hands[0].bodies._trail.shown
 
 
-def test_axes_stand_at_the_joints_along_their_segments(hand):
+def test_axes_are_at_the_joints_along_their_segments(hand):
     hand.controls.boxes["axes"].click()
     scene = see(hand)
     i = models()[0].index["index_proximal"]
@@ -112,14 +112,14 @@ def test_the_reference_is_the_truth_or_another_engine(hand, engine):
 @pytest.mark.parametrize(
     ("name", "axis", "sign"), [("back", 2, 1), ("palm", 2, -1), ("side", 1, 1)]
 )
-def test_a_button_looks_from_a_side_of_the_dorsum(hand, name, axis, sign):
+def test_a_button_views_a_side_of_the_dorsum(hand, name, axis, sign):
     scene = see(hand)
     hand.controls.presets[name].click()
     along = scene.segment_R[0].T @ hand.view.orbit.direction  # in the dorsum's frame
     assert np.abs(along).argmax() == axis and np.sign(along[axis]) == sign
 
 
-def test_the_camera_button_looks_from_where_the_camera_stands(hand):
+def test_the_camera_button_uses_the_cameras_position(hand):
     scene = see(hand)
     hand.controls.presets["camera"].click()
     to_camera = scene.p_GC - hand.view.orbit.target
@@ -139,7 +139,7 @@ def test_the_view_follows_a_hand_and_jumps_to_one_far_away(hand):
         np.testing.assert_allclose(followed(target, [scene], found_before), centre)
 
 
-def test_an_engine_that_cannot_run_is_said(hand):
+def test_an_engine_that_cannot_run_is_reported(hand):
     choose(hand.controls.reference, "vist")
     assert "too few IMUs" in hand.window().banner.text()
 
@@ -163,7 +163,7 @@ def test_a_replay_offers_no_second_engine(window):
         ("", False),
     ],
 )
-def test_software_is_told_from_a_card_by_its_name(renderer, card):
+def test_software_rendering_is_recognised_by_its_name(renderer, card):
     assert is_card(renderer) == card
 
 
@@ -180,14 +180,14 @@ def chooser(qtbot, store):
     view.shut_down()
 
 
-def test_a_card_that_ended_the_program_is_not_tried_again(chooser, store):
+def test_a_graphics_card_that_crashed_the_program_is_not_tried_again(chooser, store):
     store.update(card_trial=True)
     chooser.start()
     assert (store.value.card_trial, store.value.view_3d) == (False, "painted")
     assert "crashed the program last time" in chooser.refusals[0]
 
 
-def test_a_card_is_trusted_after_some_images(chooser, store, monkeypatch):
+def test_a_graphics_card_is_trusted_after_some_images(chooser, store, monkeypatch):
     monkeypatch.setattr(View3D, "use_card", lambda _self: True)
     store.update(view_3d="card")
     monkeypatch.setattr(View3D, "on_card", False)
@@ -201,7 +201,7 @@ def test_a_card_is_trusted_after_some_images(chooser, store, monkeypatch):
 
 
 @pytest.mark.parametrize("there", [True, False])
-def test_a_card_that_cannot_be_used_is_said_where_it_was_asked_for(
+def test_an_unusable_graphics_card_is_reported_where_it_was_selected(
     chooser, store, monkeypatch, there
 ):
     monkeypatch.setattr(View3D, "use_card", lambda _self: False)
@@ -214,9 +214,9 @@ def test_a_card_that_cannot_be_used_is_said_where_it_was_asked_for(
     assert len(chooser.refusals) == 1
 
 
-def test_an_installation_without_the_cards_view_says_so(chooser, store, monkeypatch):
+def test_an_installation_without_the_gpu_view_reports_it(chooser, store, monkeypatch):
     monkeypatch.setattr("app.panels.hand.controls.is_there", lambda: False)
-    chooser.start()  # "auto" paints without a word
+    chooser.start()  # "auto" uses the software renderer without a message
     assert chooser.refusals == [] and not chooser._tasks.tasks
     chooser.choose("card")
     assert "not part of this installation" in chooser.refusals[0]
@@ -227,7 +227,7 @@ SELDOM_NEEDED = ("vtkmodules", "pyvista", "scipy.stats", "scipy.signal")
 COMPILER = ("numba", "llvmlite")  # of kernels that are newer than the library
 
 
-def test_a_window_that_paints_loads_neither_vtk_nor_numba():
+def test_the_software_view_loads_neither_vtk_nor_numba():
     """A second and 200 MB; the packed program has no numba."""
     unwanted = (*SELDOM_NEEDED, *(COMPILER if are_compiled() else ()))
     code = (
@@ -299,7 +299,7 @@ tasks.shut_down()
 
 
 @pytest.mark.skipif(shutil.which("xvfb-run") is None, reason="needs a virtual screen")
-def test_the_cards_view_shows_the_hand_and_gives_way_when_the_driver_dies(tmp_path):
+def test_the_gpu_view_shows_the_hand_and_is_replaced_when_the_driver_fails(tmp_path):
     """pyvistaqt's QtInteractor, forced by the setting, on a virtual screen."""
     pytest.importorskip("pyvistaqt")
     script = tmp_path / "card.py"

@@ -1,4 +1,4 @@
-"""The skin in the 3D view: what is drawn where, and states told apart without colour."""
+"""The skin in the 3D view: positions, and states that are distinguishable without colour."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def test_a_surface_covers_its_area_to_a_part_of_a_pixel(half: float) -> None:
     assert middle == pytest.approx((WIDTH / 2, HEIGHT / 2), abs=0.15)
 
 
-def test_a_surface_is_not_seen_from_behind_and_hides_when_told() -> None:
+def test_a_surface_is_invisible_from_behind_and_occludes_if_set() -> None:
     scene = RasterScene()
     drawn = add_square(scene, square(0.03)[::-1])
     assert not rendered(scene).any()
@@ -102,7 +102,7 @@ def test_hatching_has_its_pitch_and_dots_let_the_background_through() -> None:
 
 
 @pytest.mark.parametrize("outline", [False, True])
-def test_what_an_earlier_image_showed_is_seen_no_more(outline: bool) -> None:
+def test_pixels_of_an_earlier_image_are_cleared(outline: bool) -> None:
     def drawn_at(scene: RasterScene, x: float, y: float) -> np.ndarray:
         drawn.drape(square(0.02, (x, y, 0)), np.zeros((4, 3)) + facing(Orbit())[:, 2], dress)
         return rendered(scene)
@@ -132,7 +132,7 @@ def test_an_outline_is_drawn_around_and_not_within() -> None:
     assert len(row) and np.abs(edges - half_px).max() < 2.0
 
 
-def test_ground_lines_lie_behind_and_fade_towards_their_ends() -> None:
+def test_ground_lines_are_behind_and_fade_towards_their_ends() -> None:
     scene = RasterScene()
     scene.set_ink("#FFFFFF")
     x = facing(Orbit())[:, 0]
@@ -150,8 +150,8 @@ def skin() -> HandSkin:
     return HandSkin(hand, glove)
 
 
-def test_a_skin_that_was_made_is_made_no_second_time(skin: HandSkin) -> None:
-    """A session brings the same hand in another object."""
+def test_a_skin_is_built_only_once(skin: HandSkin) -> None:
+    """A session has the same hand in another object."""
     hand, glove, _ = models()
     longer = dataclasses.replace(hand.segments[1], length=hand.segments[1].length + 1e-4)
     other = dataclasses.replace(hand, segments=(hand.segments[0], longer, *hand.segments[2:]))
@@ -226,7 +226,7 @@ def test_the_skin_is_as_large_as_the_wearer(skin: HandSkin) -> None:
     skin.fit(np.ones_like(grown))
 
 
-def test_the_ground_stays_under_a_hand_that_moves_a_little() -> None:
+def test_the_ground_is_fixed_under_a_hand_that_moves_slightly() -> None:
     ground, hand = HandGround(), pose()[1]
     assert ground.follow(hand)
     corner = ground.grid.corner.copy()
@@ -253,7 +253,7 @@ def test_a_trail_is_a_ribbon_that_ends_at_the_fingertip_and_faces_the_eye() -> N
     assert normals[:, 2].min() > 0.9
 
 
-def test_the_window_draws_the_skin_once_it_is_made(live, qtbot) -> None:
+def test_the_window_draws_the_skin_once_it_is_built(live, qtbot) -> None:
     """And the outline of the reference, when it is asked for."""
     qtbot.waitUntil(lambda: live.hand._hands[0].skin is not None, timeout=30_000)
     hand = live.hand

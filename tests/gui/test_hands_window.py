@@ -1,4 +1,5 @@
-"""Two hands in the window: replayed from a session, and on two gloves that come and go."""
+"""Two hands in the window: replayed from a session, and with two gloves that are plugged in and
+out."""
 
 from __future__ import annotations
 
@@ -65,7 +66,7 @@ def known(hand, since: float) -> bool:
     return t is not None and t.t - start > since and hand.frame is not None
 
 
-def test_a_session_of_both_is_seen_whole(replay, qtbot):
+def test_a_session_of_both_is_shown_completely(replay, qtbot):
     left, right = looks(replay)
     assert [left.setup.side, right.setup.side] == ["left", "right"]
     assert len(left.imu) > 5 and len(right.imu) > 5
@@ -86,7 +87,7 @@ def test_a_session_of_both_is_seen_whole(replay, qtbot):
     assert replay.bar.other_hand.text().startswith("Left: ")
 
 
-def test_panels_of_one_hand_show_the_one_that_is_asked_for(replay, qtbot):
+def test_panels_of_one_hand_show_the_selected_one(replay, qtbot):
     assert replay.host.setup.side == "right"
     replay.run_command("hand_left")
     assert replay.host.setup.side == "left" and replay.host.setup.others[0].side == "right"
@@ -102,7 +103,7 @@ ONE_HAND_PANELS = ("sensors", "motion", "calibration", "checklist", "application
 
 
 @pytest.mark.parametrize("name", ONE_HAND_PANELS)
-def test_a_panel_of_one_hand_says_which_and_can_change_it(replay, qtbot, name):
+def test_a_panel_of_one_hand_names_it_and_can_switch(replay, qtbot, name):
     replay.show_panel(name)
     choice = replay.panels[name].hand_choice
     qtbot.waitUntil(choice.isVisible, timeout=10_000)
@@ -128,7 +129,7 @@ def test_motion_measures_the_take_of_the_hand_that_is_shown(replay, session, qtb
         assert np.array_equal(shown.angles, own.angles, equal_nan=True), side
 
 
-def test_one_hand_needs_no_choice(live):
+def test_one_hand_needs_no_selector(live):
     assert all(live.panels[name].hand_choice.isHidden() for name in ONE_HAND_PANELS)
 
 
@@ -173,19 +174,19 @@ def opened(window, qtbot):
 
 
 def newest(window, side: str) -> float:
-    """Instant (s) of the last packet of that hand's glove."""
+    """Time (s) of the last packet of that hand's glove."""
     hand = next((hand for hand in looks(window) if hand.setup.side == side), None)
     return hand.imu[-1].t if hand is not None and hand.imu else 0.0
 
 
 def goes_on(window, qtbot, side: str) -> None:
-    """New packets of that glove come."""
+    """Waits for new packets of that glove."""
     since = newest(window, side)
     qtbot.waitUntil(lambda: newest(window, side) > since + 0.3, timeout=90_000)
 
 
 def log_count(window, text: str) -> int:
-    """How often the log has a sentence."""
+    """Number of log entries with a text."""
     items = (window.log.list.item(i).text() for i in range(window.log.list.count()))
     return sum(text in item for item in items)
 
@@ -213,13 +214,15 @@ def test_gloves_are_unplugged_and_plugged_in_any_order(window, qtbot, gloves, tw
     assert is_ok(verify(path))
 
 
-def test_two_gloves_without_a_camera_have_lost_no_place(window, qtbot, two_gloves):
+def test_two_gloves_without_a_camera_have_not_lost_a_position(window, qtbot, two_gloves):
     opened(window, qtbot)
     for chip in (window.bar.tracking, window.bar.other_hand):
         qtbot.waitUntil(lambda chip=chip: "Position unknown" in chip.text(), timeout=60_000)
 
 
-def test_the_other_hands_glove_is_taken_up_when_it_comes(window, qtbot, gloves, two_gloves, store):
+def test_the_other_hands_glove_is_connected_when_plugged_in(
+    window, qtbot, gloves, two_gloves, store
+):
     store.update(both_hands=True)
     two_gloves.discard(22)
     opened(window, qtbot)

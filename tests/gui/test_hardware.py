@@ -1,4 +1,4 @@
-"""Glove and camera as the window finds them: a glove on a port, a stereo image from a file."""
+"""Glove and camera as found by the window: a glove on a port, a stereo image from a file."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove
 from tracker.simulation.wiggles import InstructedWearer
 
 IMAGES = 2
-SECONDS, FPS = 8.0, 10.0  # of the film: what has ended is not found
+SECONDS, FPS = 8.0, 10.0  # of the film: an ended one is not found
 
 
 @pytest.fixture
@@ -87,7 +87,8 @@ def test_both_are_found_and_the_list_follows(connected, qtbot, device):
     assert connected.host.setup.camera.name.endswith("mine")
     found = next(s for s in steps(connected.host.snapshot()) if s.name == "Glove found")
     assert "(installed: 0.9.0)" in found.reason
-    # the hand lies still: the biases are measured through the glove in use, and the engine has them
+    # the hand is at rest: the biases are measured through the glove in use, and applied to the
+    # engine
     assert not _done(connected, "Measured at rest")
     connected.run_command("glove_setup")
     dialog = connected.set_up.dialogs["glove"]
@@ -98,7 +99,7 @@ def test_both_are_found_and_the_list_follows(connected, qtbot, device):
     qtbot.waitUntil(lambda: _done(connected, "Measured at rest"), timeout=30_000)
 
 
-def test_a_glove_that_is_unplugged_is_said_in_the_log(connected, qtbot, device):
+def test_an_unplugged_glove_is_logged(connected, qtbot, device):
     device.unplug()
 
     def is_logged() -> bool:
@@ -152,7 +153,7 @@ def test_a_glove_alone_is_recorded_and_replayed(glove_alone, qtbot, tmp_path):
     assert len(window.host.snapshot().imu) > 0
 
 
-def test_one_webcam_is_a_whole_rig(window, qtbot, store, tmp_path, device):
+def test_one_webcam_is_a_complete_rig(window, qtbot, store, tmp_path, device):
     """Its image is not wide enough for two; its calibration is of one camera."""
     path, rig = tmp_path / "webcam.avi", extrinsics_of(simulation().rig)
     writer = cv2.VideoWriter(str(path), cv2.VideoWriter.fourcc(*"MJPG"), FPS, (1280, 720))
@@ -187,7 +188,7 @@ def test_a_camera_without_glove_or_calibration_gives_its_images(window, qtbot, s
     )
 
 
-def test_a_device_that_vanishes_turns_its_line_within_a_second(connected, qtbot, device):
+def test_a_device_that_disappears_changes_its_row_within_a_second(connected, qtbot, device):
     qtbot.waitUntil(lambda: _done(connected, "All IMUs respond"), timeout=30_000)
     device.unplug()
     gone = time.monotonic()
@@ -199,7 +200,7 @@ def test_a_device_that_vanishes_turns_its_line_within_a_second(connected, qtbot,
     assert {s.look for s in states} == {IDLE}, "no green dot of an IMU that is gone"
 
 
-def test_stop_clears_what_was_live(connected, qtbot):
+def test_stop_clears_live_data(connected, qtbot):
     qtbot.waitUntil(lambda: connected.host.snapshot().frame is not None, timeout=30_000)
     connected.host.stop()
     view = connected.host.snapshot()
@@ -207,7 +208,7 @@ def test_stop_clears_what_was_live(connected, qtbot):
     assert not any(s.done for s in steps(view))
 
 
-def test_the_board_wizard_takes_a_camera_that_is_not_calibrated(window, qtbot, store, film):
+def test_the_board_wizard_accepts_an_uncalibrated_camera(window, qtbot, store, film):
     store.update(port="", camera=str(film), calibration="")
     window.sources.open_devices()
     qtbot.waitUntil(lambda: window.host.running, timeout=60_000)
@@ -217,8 +218,8 @@ def test_the_board_wizard_takes_a_camera_that_is_not_calibrated(window, qtbot, s
     assert in_use.make(BoardSpec()).read()[0].shape == (720, 1280, 3)
 
 
-def test_a_camera_that_does_not_fit_is_shown_and_calibrated(window, qtbot, store, film, tmp_path):
-    """Its calibration is another one's: it could neither be seen nor be calibrated."""
+def test_a_camera_that_does_not_match_is_shown_and_calibrated(window, qtbot, store, film, tmp_path):
+    """With the calibration of another one it could neither be displayed nor calibrated."""
     path = tmp_path / "small.yml"
     K = np.array([[600.0, 0, 319.5], [0, 600.0, 239.5], [0, 0, 1]])
     save_calibration(path, Intrinsics(640, 480, K, np.zeros(5)))
@@ -243,8 +244,8 @@ def test_the_board_wizard_offers_no_camera_in_use_where_there_is_none(glove_alon
     assert titles == ["Simulated board (demo)"]
 
 
-def test_a_glove_of_the_other_hand_is_said_over_the_panels(live, engine, qtbot):
-    """In the layout *Watch* the log, where it stood alone, is not in sight."""
+def test_a_glove_of_the_other_hand_is_reported_above_the_panels(live, engine, qtbot):
+    """In the layout *Watch* the log, its only place before, is hidden."""
     other = failure("glove.other_hand", other="left", glove="mine", side="right")
     engine.events.append(Event.of(0.0, "error", other))
     text = notice_text(other)

@@ -1,4 +1,4 @@
-"""A headless report whose disk takes no more: sentences, and no part of a file."""
+"""A headless report on a full disk: messages, and no partial file."""
 
 from __future__ import annotations
 
@@ -47,13 +47,13 @@ def test_an_image_that_does_not_fit_is_reported_and_not_left(qapp, tmp_path, sma
     assert list(tmp_path.iterdir()) == []
 
 
-def test_an_image_that_fits_is_whole(qapp, tmp_path) -> None:
+def test_an_image_that_fits_is_complete(qapp, tmp_path) -> None:
     problems: list[str] = []
     report._save(window(), tmp_path / "window.png", problems)
     assert problems == [] and QImage(str(tmp_path / "window.png")).width() == 160
 
 
-def test_a_session_that_could_not_be_recorded_is_called_that(tmp_path: Path) -> None:
+def test_a_session_that_could_not_be_recorded_is_reported_as_such(tmp_path: Path) -> None:
     path = tmp_path / "session.mcap"
     assert report._session_text(path) == "not recorded"
     path.write_bytes(bytes(100_000))

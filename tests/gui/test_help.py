@@ -1,4 +1,4 @@
-"""The guide and the keys in the Help menu, and a status bar that cuts no sentence off."""
+"""The guide and the keys in the Help menu, and a status bar that truncates no text."""
 
 import re
 
@@ -20,11 +20,11 @@ def opened(window, command: str, kind):
     return window.findChild(kind)
 
 
-def test_the_guide_holds_every_page_that_is_written():
+def test_the_guide_contains_every_page():
     assert set(pages()) == {path.name for path in place().glob("*.md")}
 
 
-def test_the_guide_is_found_by_words_and_followed_by_its_links(window, qtbot):
+def test_the_guide_is_searchable_and_its_links_work(window, qtbot):
     guide = opened(window, "guide", GuideDialog)
     assert guide.list.count() == len(pages())
     guide.search.setText("exposure WIGGLE")
@@ -60,7 +60,7 @@ def test_the_list_of_keys_has_every_command_that_has_one(window):
     assert ("Ctrl+1", "Cameras") in rows
 
 
-def test_a_chip_without_room_ends_in_dots_and_never_in_half_a_letter(qtbot):
+def test_a_chip_without_space_is_elided_at_a_letter(qtbot):
     chip = Chip()
     qtbot.addWidget(chip)
     chip.show_state("#009E73", "●", "Latency 12 ms (99 %: 1350)", "Of each stage")
@@ -82,7 +82,7 @@ def test_a_chip_without_room_ends_in_dots_and_never_in_half_a_letter(qtbot):
         (False, {"heading_sd_deg": 6.0}, "Position unknown, heading within 12°"),
     ],
 )
-def test_a_glove_alone_has_not_lost_a_place(window, qtbot, placed, values, words):
+def test_a_glove_alone_has_not_lost_a_position(window, qtbot, placed, values, words):
     engine = ScriptedEngine()
     engine.status = lambda: Status(0.0, int(Tracking.LOST), values)
     window.host.adopt(with_camera(scripted_setup(engine), present=placed))
@@ -90,7 +90,7 @@ def test_a_glove_alone_has_not_lost_a_place(window, qtbot, placed, values, words
     assert tracking_look(None, True, placed).word == "Stopped"
 
 
-def test_the_status_bar_says_how_often_the_window_is_refreshed(live, qtbot):
+def test_the_status_bar_shows_the_refresh_rate(live, qtbot):
     qtbot.waitUntil(lambda: "times a second" in live.bar.tracking.toolTip(), timeout=30_000)
     rate = int(re.search(r"\d+", live.bar.tracking.toolTip())[0])
     assert 0 < rate <= 63  # the timer's 16 ms allow no more

@@ -1,4 +1,4 @@
-"""Keys, banner and first size: what people press and where things stand."""
+"""Keys, banner and initial size."""
 
 import pytest
 from PySide6.QtCore import Qt
@@ -24,7 +24,7 @@ def press(qtbot, key):
     qtbot.keyClick(QApplication.focusWidget() or QApplication.activeWindow(), key)
 
 
-def test_space_ticks_the_box_in_focus_and_records_elsewhere(active, qtbot):
+def test_space_toggles_the_box_in_focus_and_records_elsewhere(active, qtbot):
     box = active.cameras.freeze
     box.setFocus()
     qtbot.waitUntil(box.hasFocus)
@@ -35,7 +35,7 @@ def test_space_ticks_the_box_in_focus_and_records_elsewhere(active, qtbot):
     assert active.host.recording.request is not None
 
 
-def test_letters_are_text_where_text_is_typed(active, qtbot):
+def test_letters_are_text_in_a_text_field(active, qtbot):
     active.show_panel("log")
     active.log.search.setFocus()
     qtbot.waitUntil(active.log.search.hasFocus)
@@ -52,7 +52,7 @@ def test_letters_are_text_where_text_is_typed(active, qtbot):
     ("keys", "single"),
     [("Space", True), ("N", True), (",", True), ("Ctrl+N", False), ("F5", False), ("", False)],
 )
-def test_only_keys_that_print_something_give_way(qtbot, keys, single):
+def test_only_printable_keys_give_way(qtbot, keys, single):
     action = QAction()
     action.setShortcut(keys)
     assert is_single(action) == single
@@ -65,7 +65,7 @@ def test_a_panels_key_shows_it_and_never_hides_it(active, qtbot):
         assert not dock.isHidden() and not dock.visibleRegion().isEmpty()
 
 
-def test_the_banner_shifts_nothing_is_logged_once_and_goes_with_its_reason(active, qtbot):
+def test_the_banner_shifts_nothing_is_logged_once_and_disappears_with_its_reason(active, qtbot):
     QApplication.processEvents()
     before = {name: dock.geometry() for name, dock in active.docks.items()}
     active.messages.say("A sentence that is so long that it needs two lines. " * 5, about="devices")
@@ -80,7 +80,7 @@ def test_the_banner_shifts_nothing_is_logged_once_and_goes_with_its_reason(activ
     assert not active.banner.isVisible()
 
 
-def test_a_banner_of_missing_devices_leads_to_the_set_up(window, qtbot, monkeypatch):
+def test_a_banner_about_missing_devices_leads_to_the_set_up(window, qtbot, monkeypatch):
     monkeypatch.setattr("app.engines.found_gloves.serial_ports", list)
     monkeypatch.setattr("app.engines.camera_choice.all_cameras", list)
     window.sources.open_devices()
@@ -96,7 +96,7 @@ def test_the_first_window_fits_the_screen(window):
     assert window.width() < room.width() and window.height() < room.height()
 
 
-def test_factory_colours_come_back_after_a_sabotage_and_can_be_undone(active, qtbot):
+def test_factory_colours_can_be_restored_and_that_can_be_undone(active, qtbot):
     panel = active.colours
     panel.tuning.move("hue", (84, 100), False)
     spoilt = panel.tuning.profile
@@ -106,7 +106,7 @@ def test_factory_colours_come_back_after_a_sabotage_and_can_be_undone(active, qt
     assert panel.tuning.profile == spoilt
 
 
-def test_a_hue_is_taken_when_it_is_whole_and_undo_takes_it_back(active, qtbot):
+def test_a_hue_is_applied_when_it_is_complete_and_undo_reverts_it(active, qtbot):
     active.show_panel("colours")
     panel = active.colours
     before = panel.tuning.profile
@@ -124,7 +124,7 @@ def test_a_hue_is_taken_when_it_is_whole_and_undo_takes_it_back(active, qtbot):
     assert panel.tuning.profile == before and box.value() == shown
 
 
-def test_menus_tick_what_is_chosen(active):
+def test_menus_tick_the_selected_entries(active):
     actions = active.commands.actions
     for menu in active.commands.menus():
         menu.aboutToShow.emit()
@@ -139,7 +139,7 @@ def test_menus_tick_what_is_chosen(active):
     assert actions["view_painted"].isChecked() and not actions["view_auto"].isChecked()
 
 
-def test_no_letter_stands_for_two_entries_of_a_menu(window):
+def test_no_letter_is_assigned_to_two_entries_of_a_menu(window):
     for top in window.menuBar().actions():
         texts = [a.text().replace("&&", "") for a in top.menu().actions()]
         letters = [t[t.index("&") + 1].lower() for t in texts if "&" in t]

@@ -1,4 +1,4 @@
-"""Layouts: one for each job, those with a name, and shares that hold on any screen."""
+"""Layouts: one for each task, named ones, and proportions for any screen."""
 
 import pytest
 from PySide6.QtCore import QSize
@@ -37,7 +37,7 @@ def size_to(window, size, qtbot) -> None:
 
 
 @pytest.mark.parametrize("job", JOBS, ids=lambda job: job.name)
-def test_a_job_is_switched_to_by_one_click_and_shows_its_panels(watched, qtbot, job):
+def test_a_task_is_selected_with_one_click_and_shows_its_panels(watched, qtbot, job):
     segment = watched.tool_bar.segments.buttons[JOBS.index(job)]
     segment.click()
     assert in_sight(watched) == job.shown
@@ -46,7 +46,7 @@ def test_a_job_is_switched_to_by_one_click_and_shows_its_panels(watched, qtbot, 
         assert not watched.docks[group[0]].visibleRegion().isEmpty(), group[0]
 
 
-def test_watching_gives_images_and_hand_all_the_room_there_is(watched, qtbot):
+def test_watching_gives_all_space_to_images_and_hand(watched, qtbot):
     size_to(watched, SMALL, qtbot)
     shares = shares_of(watched, watched.docks)
     assert shares.keys() == {"cameras", "hand"}
@@ -54,7 +54,7 @@ def test_watching_gives_images_and_hand_all_the_room_there_is(watched, qtbot):
     assert min(h for _, h in shares.values()) > 0.85  # the tool bar has the rest
 
 
-def test_looking_again_shows_more_than_one_session_beside_the_transport(watched, qtbot):
+def test_review_shows_more_than_one_session_next_to_the_transport(watched, qtbot):
     watched.layouts.choose("look")
     size_to(watched, SMALL, qtbot)
     watched.library.transport.show()
@@ -65,11 +65,11 @@ def test_looking_again_shows_more_than_one_session_beside_the_transport(watched,
         assert button.isHidden() or not button.visibleRegion().isEmpty(), button.text()
 
 
-def test_the_start_page_says_which_layout_comes_first(window):
+def test_the_start_page_names_the_first_layout(window):
     assert window.layouts._actions["all"].isChecked()
 
 
-def test_set_up_beside_the_start_page_is_the_list(window):
+def test_set_up_next_to_the_start_page_is_the_list(window):
     first, second, *_ = window.tool_bar.segments.buttons
     first.click()
     assert window.docks["checklist"].isVisible() and window.start_page.isVisible()
@@ -78,7 +78,7 @@ def test_set_up_beside_the_start_page_is_the_list(window):
 
 
 @pytest.mark.parametrize("job", JOBS, ids=lambda job: job.name)
-def test_a_layout_kept_on_a_small_screen_is_the_same_on_a_large_one_and_back(watched, qtbot, job):
+def test_a_layout_saved_on_a_small_screen_is_the_same_on_a_large_one_and_back(watched, qtbot, job):
     watched.layouts.choose(job.name)
     size_to(watched, SMALL, qtbot)
     before = shares_of(watched, watched.docks)
@@ -94,7 +94,7 @@ def test_a_layout_kept_on_a_small_screen_is_the_same_on_a_large_one_and_back(wat
             assert after[name] == pytest.approx(share, abs=CLOSE), (name, size)
 
 
-def test_docks_keep_their_shares_while_the_window_grows(watched, qtbot):
+def test_docks_keep_their_proportions_while_the_window_grows(watched, qtbot):
     watched.layouts.choose("all")
     size_to(watched, SMALL, qtbot)
     before = shares_of(watched, watched.docks)
@@ -104,7 +104,7 @@ def test_docks_keep_their_shares_while_the_window_grows(watched, qtbot):
         assert after[name] == pytest.approx(share, abs=CLOSE), name
 
 
-def test_a_panel_taken_out_and_put_back_has_the_share_that_it_had(watched, qtbot):
+def test_a_removed_and_restored_panel_has_its_earlier_share(watched, qtbot):
     size_to(watched, LARGE, qtbot)
     before = shares_of(watched, watched.docks)
     cameras = watched.docks["cameras"]
@@ -121,7 +121,7 @@ def test_a_panel_taken_out_and_put_back_has_the_share_that_it_had(watched, qtbot
     qtbot.waitUntil(is_back, timeout=10_000)
 
 
-def test_a_job_comes_back_as_it_was_left_and_resets_to_what_it_was(watched):
+def test_a_task_is_restored_as_it_was_left_and_can_be_reset(watched):
     watched.docks["hand"].hide()
     watched.layouts.choose("record")
     watched.layouts.choose("watch")
@@ -130,7 +130,7 @@ def test_a_job_comes_back_as_it_was_left_and_resets_to_what_it_was(watched):
     assert in_sight(watched) == JOB_OF["watch"].shown
 
 
-def test_kept_layouts_are_listed_renamed_deleted_and_survive_a_restart(
+def test_saved_layouts_are_listed_renamed_deleted_and_survive_a_restart(
     watched, store, qtbot, no_leaks
 ):
     assert not watched.commands.actions["rename_layout"].isEnabled()
@@ -159,14 +159,14 @@ def test_kept_layouts_are_listed_renamed_deleted_and_survive_a_restart(
     again.close()
 
 
-def test_a_panel_that_the_job_hides_comes_when_it_is_called(watched):
+def test_a_panel_hidden_in_the_task_appears_when_requested(watched):
     watched.run_command("show_calibration")
     assert not watched.docks["calibration"].visibleRegion().isEmpty()
     assert not watched.docks["cameras"].visibleRegion().isEmpty()
 
 
 @pytest.mark.parametrize("width", [800, 1024, 1366])
-def test_the_tool_bar_keeps_all_its_commands_in_sight(watched, qtbot, width):
+def test_the_tool_bar_shows_all_its_commands(watched, qtbot, width):
     size_to(watched, (width, 640), qtbot)
     bar = watched.tool_bar
     buttons = [b for b in bar.findChildren(QToolButton) if b.defaultAction() is not None]
@@ -211,7 +211,7 @@ def front_tabs(window, job) -> list[bool]:
 
 
 @pytest.mark.parametrize("job", ["set_up", "watch", "record"])
-def test_a_replay_opens_in_the_review_layout_and_live_returns_to_the_one_before(
+def test_a_replay_opens_in_the_review_layout_and_live_returns_to_the_previous_one(
     watched, session, qtbot, job
 ):
     watched.layouts.choose(job)
@@ -226,8 +226,10 @@ def test_a_replay_opens_in_the_review_layout_and_live_returns_to_the_one_before(
     assert all(front_tabs(watched, JOB_OF[job]))
 
 
-def test_after_a_replay_opened_first_the_layout_has_its_usual_shares(window, store, session, qtbot):
-    """The layout before it was never on the screen: there are no sizes to go back to."""
+def test_after_a_replay_opened_first_the_layout_has_its_default_proportions(
+    window, store, session, qtbot
+):
+    """The layout before it was never shown: there are no sizes to return to."""
     store.update(job="set_up")
     open_replay_of(window, session, qtbot)
     assert store.value.job == "look"
@@ -249,7 +251,7 @@ def test_a_replay_stays_in_a_layout_that_has_all_it_needs(watched, session, qtbo
     assert not watched.docks["library"].visibleRegion().isEmpty()
 
 
-def test_a_layout_chosen_during_a_replay_is_not_left_again(watched, session, qtbot):
+def test_a_layout_selected_during_a_replay_is_preserved(watched, session, qtbot):
     open_replay_of(watched, session, qtbot)
     watched.layouts.choose("record")
     watched.host.adopt(scripted_setup(ScriptedEngine()))
@@ -271,7 +273,7 @@ def test_closing_during_a_replay_does_not_make_review_the_layout_of_the_next_sta
 
 
 @pytest.mark.parametrize("job", [j for j in JOBS if j.name != "all"], ids=lambda job: job.name)
-def test_panels_that_messages_and_commands_show_do_not_stay_in_the_layout(watched, qtbot, job):
+def test_panels_shown_by_messages_and_commands_do_not_remain_in_the_layout(watched, qtbot, job):
     """*Export…* shows the library, *Show checklist* the list, a failure the log."""
     watched.layouts.choose(job.name)
     size_to(watched, SMALL, qtbot)
@@ -291,7 +293,7 @@ def test_panels_that_messages_and_commands_show_do_not_stay_in_the_layout(watche
         assert after[name] == pytest.approx(share, abs=CLOSE), name
 
 
-def test_a_panel_that_the_user_adds_stays_in_the_layout(watched):
+def test_a_panel_added_by_the_user_remains_in_the_layout(watched):
     watched.run_command("dock_log")
     watched.layouts.choose("record")
     watched.layouts.choose("watch")

@@ -61,7 +61,7 @@ def library(window, store, recorded, qtbot, tmp_path):
 
 @pytest.fixture
 def replayed(library, window, qtbot):
-    """The session opened by its button, paused where the hand has been found."""
+    """The session opened by its button, paused once the hand has been found."""
     qtbot.mouseClick(library.buttons["replay"], Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: window.host.running, timeout=20_000)
     window.docks["library"].raise_()
@@ -84,7 +84,7 @@ def ended(library) -> bool:
     return not any(i.open for i in library.exports.items)
 
 
-def test_a_row_tells_length_integrity_and_quality(library, qtbot):
+def test_a_row_shows_length_integrity_and_quality(library, qtbot):
     quality = library.table.item(0, 5)
     qtbot.waitUntil(lambda: "tracked" in quality.text(), timeout=20_000)
     share = int(quality.text().split("tracked ")[1].split(" ")[0])
@@ -111,7 +111,7 @@ def test_the_timeline_is_dragged_and_stepped(replayed, window, qtbot):
     qtbot.waitUntil(lambda: window.host.snapshot().frame.index == before, timeout=10_000)
 
 
-def test_in_and_out_point_limit_replay_and_export(replayed, window, qtbot, tmp_path):
+def test_in_and_out_points_limit_replay_and_export(replayed, window, qtbot, tmp_path):
     player = window.host.setup.player
     for place, key in ((0.8, "in_point"), (1.8, "out_point")):
         player.seek(place)
@@ -135,7 +135,7 @@ def test_in_and_out_point_limit_replay_and_export(replayed, window, qtbot, tmp_p
     assert float(rows[-1]["t"]) - begin == pytest.approx(stop, abs=0.011)
 
 
-def test_exports_wait_for_each_other_and_can_be_cancelled(qtbot, tmp_path, monkeypatch, no_leaks):
+def test_exports_are_queued_and_can_be_cancelled(qtbot, tmp_path, monkeypatch, no_leaks):
     go = threading.Event()
 
     def job_of(request):
@@ -192,7 +192,7 @@ def test_a_cancelled_export_leaves_no_file(recorded, tmp_path):
 
 
 @pytest.mark.timeout(120)
-def test_tracked_again_both_are_seen_and_compared(replayed, window, qtbot):
+def test_a_new_tracking_is_shown_and_compared(replayed, window, qtbot):
     window.run_command("again")
     dialog = replayed.findChild(TrackDialog)
     dialog.engine.setCurrentIndex(dialog.engine.findData("vist"))
@@ -216,7 +216,7 @@ def test_tracked_again_both_are_seen_and_compared(replayed, window, qtbot):
     qtbot.waitUntil(lambda: replayed.table.rowCount() == 2, timeout=10_000)
 
 
-def test_a_cut_off_session_is_recovered_by_its_button(library, window, qtbot):
+def test_a_truncated_session_is_recovered_by_its_button(library, window, qtbot):
     path = library.selected().path
     data = path.read_bytes()
     path.write_bytes(data[: len(data) * 2 // 3])
@@ -233,13 +233,13 @@ def test_a_cut_off_session_is_recovered_by_its_button(library, window, qtbot):
     assert path.read_bytes() == data[: len(data) * 2 // 3]
 
 
-def test_the_file_being_recorded_is_not_called_broken(recorded):
+def test_the_file_being_recorded_is_not_reported_as_damaged(recorded):
     row = session_row(recorded, recording=recorded)
     assert row.integrity == "being recorded"
     assert not row.recoverable
 
 
-def test_recorded_settings_that_this_version_lacks_are_reported_and_ignored(recorded, tmp_path):
+def test_obsolete_settings_of_a_recording_are_reported_and_ignored(recorded, tmp_path):
     old = tmp_path / "old.mcap"
     with SessionReader(recorded) as reader:
         info = replace(reader.info, rig=reader.rig(), settings_text="[chain]\nwarp = 9\n")
@@ -256,7 +256,7 @@ def test_recorded_settings_that_this_version_lacks_are_reported_and_ignored(reco
     assert compare(tmp_path / "new.mcap", tmp_path / "usual.mcap")["identical"]
 
 
-def test_a_file_put_into_the_folder_appears_by_itself(library, recorded, qtbot):
+def test_a_file_put_into_the_folder_appears_automatically(library, recorded, qtbot):
     folder = library.selected().path.parent
     shutil.copy(recorded, folder / "brought.mcap")
     qtbot.waitUntil(lambda: library.table.rowCount() == 2, timeout=20_000)
@@ -264,7 +264,7 @@ def test_a_file_put_into_the_folder_appears_by_itself(library, recorded, qtbot):
     qtbot.waitUntil(lambda: library.table.rowCount() == 1, timeout=20_000)
 
 
-def test_the_reference_says_what_it_is_and_columns_what_tracked_them(window, tmp_path):
+def test_the_reference_is_named_and_so_are_the_engines_in_the_columns(window, tmp_path):
     controls = window.hand.controls
     other = controls.reference.findData("other")
     assert not controls.reference.model().item(other).isEnabled()  # nothing is there to compare

@@ -79,7 +79,7 @@ def test_the_library_is_filled_when_it_is_first_shown(library):
     assert all(library.table.columnWidth(i) >= 48 for i in range(library.table.columnCount()))
 
 
-def test_a_search_leaves_what_holds_all_its_words(library, qtbot):
+def test_a_search_lists_sessions_with_all_its_words(library, qtbot):
     library.page.search.setFocus()
     qtbot.keyClicks(library.page.search, "pinch p01")
     assert shown(library) == {"P01_pinch"}
@@ -88,7 +88,7 @@ def test_a_search_leaves_what_holds_all_its_words(library, qtbot):
     assert shown(library) == set(NAMES)
 
 
-def test_a_report_of_the_chosen_takes_is_shown(library, window, folder, qtbot):
+def test_a_report_of_the_selected_takes_is_shown(library, window, folder, qtbot):
     select(library, "P01_pinch", "P02_pinch")
     page, browser = folder / "report.html", FileManager()
     QDesktopServices.setUrlHandler("file", browser, "show")
@@ -103,7 +103,7 @@ def test_a_report_of_the_chosen_takes_is_shown(library, window, folder, qtbot):
     assert (folder / "report.csv").exists()
 
 
-def test_tags_are_kept_beside_the_session_and_found(library, window, folder, qtbot):
+def test_tags_are_stored_next_to_the_session_and_found(library, window, folder, qtbot):
     path = folder / "P01_fist.mcap"
     before = hashlib.sha256(path.read_bytes()).hexdigest()
     select(library, "P01_fist")
@@ -122,7 +122,7 @@ def test_tags_are_kept_beside_the_session_and_found(library, window, folder, qtb
     assert read_tags(path) == ("good", "left hand")
 
 
-def test_a_session_gets_another_name_with_its_tags(library, window, folder, qtbot):
+def test_a_session_is_renamed_with_its_tags(library, window, folder, qtbot):
     write_tags(folder / "P02_pinch.mcap", ["keep"])
     select(library, "P02_pinch")
     library.table.setFocus()
@@ -135,8 +135,10 @@ def test_a_session_gets_another_name_with_its_tags(library, window, folder, qtbo
     assert "already exists" in window.banner.text()
 
 
-def test_who_gets_another_name_stays_chosen_and_who_goes_has_no_heir(library, folder, qtbot):
-    """Tags and the bin would go to another session otherwise."""
+def test_a_renamed_session_remains_selected_and_a_removed_one_moves_no_selection(
+    library, folder, qtbot
+):
+    """Tags and the bin would apply to another session otherwise."""
     select(library, "P02_pinch")
     library.files.rename(folder / "P02_pinch.mcap", "Z9_last")
     qtbot.waitUntil(lambda: shown(library) == {"P01_fist", "P01_pinch", "Z9_last"}, timeout=20_000)
@@ -147,7 +149,7 @@ def test_who_gets_another_name_stays_chosen_and_who_goes_has_no_heir(library, fo
     assert library.table.selected() == []
 
 
-def test_the_title_of_a_question_can_be_read(library, window, folder):
+def test_the_title_of_a_question_is_not_truncated(library, window, folder):
     """Frames write it in bold, between an icon and their buttons."""
     library.files.ask_name(folder / "P01_pinch.mcap")
     dialog = window.findChild(QInputDialog)
@@ -168,7 +170,7 @@ def trash(tmp_path, monkeypatch):
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="where the bin is depends on the system")
-def test_sessions_go_to_the_bin_with_a_word_and_come_back_with_undo(
+def test_sessions_are_moved_to_the_bin_after_confirmation_and_restored_by_undo(
     library, window, folder, trash, qtbot
 ):
     write_tags(folder / "P01_fist.mcap", ["x"])
@@ -179,7 +181,7 @@ def test_sessions_go_to_the_bin_with_a_word_and_come_back_with_undo(
     names = {"P01_fist.mcap", "P01_fist.tags.json", "P02_pinch.mcap"}
     assert {p.name for p in (trash / "files").iterdir()} == names
     assert window.banner.text() == "2 recordings moved to the trash."
-    library.rescan()  # as the watched folder does
+    library.rescan()  # like the watched folder
     qtbot.wait(500)
     assert library.table.selected() == []
     qtbot.keyClick(library.table, Qt.Key.Key_Delete)
@@ -202,14 +204,14 @@ def test_undo_does_not_replace_a_newer_file_of_that_name(library, window, folder
     assert "exists again" in window.banner.text()
 
 
-def test_a_session_stays_where_the_system_has_no_bin(library, window, folder, monkeypatch):
+def test_a_session_is_preserved_on_a_system_without_a_bin(library, window, folder, monkeypatch):
     monkeypatch.setattr("app.storage.system_bin.move_to_bin", lambda _path: (False, None))
     library.files.bin([folder / "P01_pinch.mcap"])
     assert "cannot be moved to the bin" in window.banner.text()
     assert (folder / "P01_pinch.mcap").exists()
 
 
-def test_what_is_open_is_neither_renamed_nor_binned(library, window, folder, qtbot):
+def test_open_sessions_are_neither_renamed_nor_deleted(library, window, folder, qtbot):
     window.sources.open_session(folder / "P01_fist.mcap")
     qtbot.waitUntil(lambda: window.host.running, timeout=30_000)
     for work in (
@@ -221,7 +223,7 @@ def test_what_is_open_is_neither_renamed_nor_binned(library, window, folder, qtb
     assert (folder / "P01_fist.mcap").exists()
 
 
-def test_columns_stay_as_wide_as_they_were_made(library, window, store, qtbot):
+def test_columns_keep_the_width_set_by_the_user(library, window, store, qtbot):
     library.table.setColumnWidth(0, 333)
     window.close()
     again = MainWindow(SettingsStore(store.path))
@@ -231,7 +233,7 @@ def test_columns_stay_as_wide_as_they_were_made(library, window, store, qtbot):
 
 
 class FileManager(QObject):
-    """Stands for the system's."""
+    """Replaces the system's dialog."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -263,7 +265,7 @@ def press_export(qtbot, dialog) -> None:
     qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
 
 
-def test_an_open_session_from_anywhere_is_exported_in_several_formats(
+def test_an_open_session_from_any_folder_is_exported_in_several_formats(
     library, window, tracked, store, tmp_path, qtbot
 ):
     """It lies outside of the library's folder, and another one is selected there."""
@@ -296,7 +298,7 @@ def test_an_open_session_from_anywhere_is_exported_in_several_formats(
         QDesktopServices.unsetUrlHandler("file")
 
 
-def test_a_preset_brings_formats_and_options_back(library, window, store, qtbot):
+def test_a_preset_restores_formats_and_options(library, window, store, qtbot):
     select(library, "P01_pinch")
     library.ask_export()
     dialog = export_dialog(window)
@@ -327,7 +329,7 @@ def test_a_preset_brings_formats_and_options_back(library, window, store, qtbot)
     again.close()
 
 
-def test_many_sessions_become_one_data_set_with_its_task(qtbot, store, tmp_path):
+def test_several_sessions_become_one_data_set_with_its_task(qtbot, store, tmp_path):
     """Of other formats there is a file for each session."""
     sources = [tmp_path / "a.mcap", tmp_path / "b.mcap"]
     dialog = ExportDialog(sources, None, store)
@@ -350,14 +352,14 @@ def test_many_sessions_become_one_data_set_with_its_task(qtbot, store, tmp_path)
     assert asked[2].options.axes is None and asked[0].options.axes == "unity"
 
 
-def test_what_settings_hold_of_a_choice_may_be_anything():
+def test_invalid_stored_choices_are_ignored():
     for data in (None, 3, {"formats": "csv"}, {"formats": ["exe"], "rate": "fast", "axes": 1}):
         assert choice_from(data) == ExportChoice()
     choice = ExportChoice(("csv", "bvh"), 30.0, "unity", "cm", True, "Wave", True)
     assert choice_from(json.loads(json.dumps(choice.as_dict()))) == choice
 
 
-def test_two_exports_in_the_queue_never_have_one_name(tmp_path):
+def test_two_exports_in_the_queue_never_have_the_same_name(tmp_path):
     first = free_target(tmp_path, tmp_path / "a" / "x.mcap", "csv")
     second = free_target(tmp_path, tmp_path / "b" / "x.mcap", "csv", {first})
     assert (first.name, second.name) == ("x.csv", "x_2.csv")
@@ -366,7 +368,7 @@ def test_two_exports_in_the_queue_never_have_one_name(tmp_path):
     assert third.name == "x_3.csv"
 
 
-def test_tags_that_cannot_be_read_are_none(tmp_path):
+def test_unreadable_tags_are_ignored(tmp_path):
     session = tmp_path / "a.mcap"
     for text in ("", "[]", '{"tags": 3}', '{"tags": [1, "b"]}', "{" * 70000):
         tags_path(session).write_text(text)
@@ -374,7 +376,7 @@ def test_tags_that_cannot_be_read_are_none(tmp_path):
     assert tags_of_text(" a b ,, c,a b") == ("a b", "c")
 
 
-def test_the_chosen_part_becomes_a_session(library, window, folder, qtbot):
+def test_the_selected_part_becomes_a_session(library, window, folder, qtbot):
     window.sources.open_session(folder / "P01_fist.mcap")
     qtbot.waitUntil(lambda: window.host.running, timeout=30_000)
     window.run_command("crop")

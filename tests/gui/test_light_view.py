@@ -1,4 +1,4 @@
-"""When the light is read again, and what of it the checklist says."""
+"""When the light is measured again, and what the checklist shows of it."""
 
 import dataclasses
 
@@ -18,7 +18,7 @@ PROFILE = parse_profile(library.text("colours", library.DEFAULT_COLOURS))
 GREY = np.full((120, 160, 3), 120, np.uint8)
 
 
-def test_an_image_is_read_once_and_a_live_one_every_second():
+def test_a_still_image_is_measured_once_and_a_live_one_every_second():
     watch = LightWatch()
     first = watch.work(GREY, PROFILE, 640.0, 10.0)
     assert first is not None
@@ -36,7 +36,7 @@ def a_reading(*advice: Advice):
     return meter, dataclasses.replace(meter.read(GREY), advice=advice)
 
 
-def test_a_moment_without_the_hand_keeps_what_was_read():
+def test_a_moment_without_the_hand_keeps_the_last_result():
     watch, warm = LightWatch(), Advice("warm", warning("light.warm"))
     none = Advice("hand", notice("light.show_hand"))
     for t, problems, line in (
@@ -55,7 +55,7 @@ def test_a_moment_without_the_hand_keeps_what_was_read():
         ((Advice("dark", warning("light.dark")),), IDLE),
     ],
 )
-def test_the_checklist_requires_light_and_marks_what_the_room_costs(window, advice, look):
+def test_the_checklist_requires_light_and_marks_problems_of_the_background(window, advice, look):
     watch = LightWatch()
     watch.took(a_reading(*advice))
     window.host.adopt(scripted_setup(ScriptedEngine()))
@@ -70,7 +70,7 @@ def test_the_checklist_requires_light_and_marks_what_the_room_costs(window, advi
     assert unread.reason == "Measuring the light…"  # images arrive already
 
 
-def test_another_word_for_the_light_moves_nothing_beside_it(live, qtbot):
+def test_another_text_for_the_light_does_not_move_the_layout(live, qtbot):
     live.show_panel("colours")
     chip, places = live.colours.light.chip, []
     for word in ("good", "colours in background, markers missed"):

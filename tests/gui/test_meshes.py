@@ -1,4 +1,4 @@
-"""Meshes for a graphics card: their form and their normals."""
+"""Meshes for a graphics card: their shape and their normals."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def test_a_body_is_closed(mesh: BodyMesh) -> None:
 
 
 @pytest.mark.parametrize("mesh", BODIES.values(), ids=BODIES.keys())
-def test_normals_point_out_of_the_surface(mesh: BodyMesh) -> None:
+def test_normals_point_outward(mesh: BodyMesh) -> None:
     assert np.linalg.norm(mesh.normals, axis=1) == pytest.approx(1.0)
     vectors = face_vectors(mesh)
     area = np.linalg.norm(vectors, axis=1)
@@ -44,25 +44,25 @@ def test_normals_point_out_of_the_surface(mesh: BodyMesh) -> None:
     assert (mesh.normals * outwards).sum(axis=1).min() > -1e-9
 
 
-def test_a_capsule_keeps_its_radius_all_along() -> None:
+def test_a_capsule_has_a_constant_radius() -> None:
     mesh = mesh_of(CapsuleShape(0.04, 0.01))
     nearest = np.clip(mesh.points[:, 0], 0.0, 0.04)
     away = mesh.points - np.stack([nearest, 0 * nearest, 0 * nearest], axis=1)
     assert np.linalg.norm(away, axis=1) == pytest.approx(0.01)
 
 
-def test_a_disc_lies_across_its_direction() -> None:
+def test_a_disc_is_perpendicular_to_its_direction() -> None:
     along = mesh_of(Disc(0.005, 0.002, OBLIQUE)).points @ OBLIQUE
     assert (along.min(), along.max()) == pytest.approx((-0.001, 0.001))
 
 
-def test_a_block_has_the_size_it_was_given() -> None:
+def test_a_block_has_the_given_size() -> None:
     half, centre = np.array([0.05, 0.04, 0.01]), np.array([0.02, 0.0, 0.001])
     bounds = np.array(mesh_of(Block(half, centre)).bounds).reshape(3, 2)
     np.testing.assert_allclose(bounds, np.stack([centre - half, centre + half], axis=1))
 
 
-def test_a_blocks_mesh_is_the_surface_that_is_painted() -> None:
+def test_a_blocks_mesh_equals_the_surface_of_the_software_renderer() -> None:
     """One shape, two renderers."""
     shape = Block(np.array([0.05, 0.04, 0.01]))
     block = Rounded(*map(float, shape.half), shape.corner, shape.edge)

@@ -45,7 +45,7 @@ def test_each_angle_is_a_number_and_a_bar_in_its_range(motion, engine: ScriptedE
         assert share == pytest.approx((estimate.angles[row] - low) / (high - low))
 
 
-def test_removed_distances_come_back_with_undo(motion, live):
+def test_removed_distances_are_restored_by_undo(motion, live):
     names = list(motion.model.names)
     motion.table.selectRow(row_of(motion, "thumb_tip - index_tip"))
     motion.controls.remove.click()
@@ -66,7 +66,7 @@ def test_the_aperture_is_there_and_any_distance_can_be_added(motion, engine: Scr
     motion.controls.ends[0].setCurrentText("wrist")
     motion.controls.ends[1].setCurrentText("middle tip")
     motion.controls.measure.click()
-    motion.controls.measure.click()  # the same once more is no second row
+    motion.controls.measure.click()  # adding the same one again adds no row
     assert motion.table.rowCount() == many + 1
     motion.refresh(motion.host.snapshot())
     assert motion.table.item(many, VALUE).text().endswith("mm")
@@ -74,7 +74,7 @@ def test_the_aperture_is_there_and_any_distance_can_be_added(motion, engine: Scr
     assert motion.table.rowCount() == many
 
 
-def test_radians_are_kept_as_the_unit(motion, store):
+def test_radians_are_stored_as_the_unit(motion, store):
     motion.controls.units.setCurrentIndex(motion.controls.units.findData("rad"))
     motion.refresh(motion.host.snapshot())
     assert store.value.angle_unit == "rad"
@@ -91,7 +91,7 @@ def test_live_curves_are_of_the_last_seconds(motion, engine: ScriptedEngine):
     assert not motion.plot.at.isVisible()
 
 
-def test_the_table_goes_to_the_clipboard(motion):
+def test_the_table_is_copied_to_the_clipboard(motion):
     motion.controls.copy.click()
     lines = QGuiApplication.clipboard().text().splitlines()
     assert len(lines) == 1 + motion.table.rowCount()

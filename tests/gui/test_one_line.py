@@ -1,4 +1,4 @@
-"""One line of controls: what finds no room stands behind a button, and comes back."""
+"""One line of controls: those without space move behind a button, and return."""
 
 import pytest
 from PySide6.QtWidgets import QCheckBox, QPushButton
@@ -18,13 +18,13 @@ def line(qtbot):
     return line
 
 
-def test_all_stand_in_the_line_where_there_is_room(line):
+def test_all_are_in_the_line_if_there_is_space(line):
     assert line.in_leaf == [] and not line.more.isVisible()
     places = [w.x() for w in line.findChildren(QPushButton) if w.parent() is line]
     assert places == sorted(places) and len(set(places)) == 4
 
 
-def test_the_last_ones_go_behind_the_button_first_and_nothing_is_cut_off(line):
+def test_the_last_ones_move_behind_the_button_first_and_nothing_is_truncated(line):
     width, height = line.width(), line.height()
     line.resize(width * 2 // 3, height)
     hidden = len(line.in_leaf)
@@ -38,7 +38,7 @@ def test_the_last_ones_go_behind_the_button_first_and_nothing_is_cut_off(line):
     assert line.in_leaf == []
 
 
-def test_what_stands_in_the_leaf_can_be_used_there(line, qtbot):
+def test_controls_behind_the_button_can_be_used(line, qtbot):
     box = line.findChild(QCheckBox)
     line.resize(line.minimumSizeHint())
     menu = line.more.menu()
@@ -50,7 +50,7 @@ def test_what_stands_in_the_leaf_can_be_used_there(line, qtbot):
     menu.hide()
 
 
-def test_hidden_ones_take_no_room_and_stay_hidden(line):
+def test_hidden_ones_need_no_space_and_remain_hidden(line):
     button = line.findChild(QPushButton)
     button.hide()
     line.resize(line.minimumSizeHint())
@@ -58,7 +58,7 @@ def test_hidden_ones_take_no_room_and_stay_hidden(line):
     assert button.isHidden() and line.in_leaf == []
 
 
-def test_after_a_change_of_style_every_word_has_the_room_it_needs(line, qtbot):
+def test_after_a_change_of_style_every_text_fits(line, qtbot):
     line.resize(line.sizeHint() * 0.8)
     line.setStyleSheet("QPushButton { padding: 4px 24px; }")
     buttons = line.findChildren(QPushButton)

@@ -1,4 +1,4 @@
-"""What is opened and closed in jobs: in order, once, and never left open."""
+"""Resources opened and closed in jobs: in order, once, and never left open."""
 
 import threading
 
@@ -34,7 +34,7 @@ def openings(tasks):
     return Openings(tasks, lambda: None)
 
 
-def test_what_is_open_is_closed_before_it_is_opened_anew(openings, qtbot):
+def test_a_resource_is_closed_before_it_is_opened_again(openings, qtbot):
     log = []
     openings.renew("a", "a", lambda: Port(log, "first"), lambda port: True)
     qtbot.waitUntil(lambda: openings.get("a") is not None)
@@ -47,7 +47,7 @@ def test_what_is_open_is_closed_before_it_is_opened_anew(openings, qtbot):
     assert openings.get("a") is None
 
 
-def test_what_nobody_wants_any_more_is_closed_when_it_has_opened(openings, qtbot):
+def test_a_resource_no_longer_needed_is_closed_after_opening(openings, qtbot):
     log, go = [], threading.Event()
 
     def slowly() -> Port:
@@ -63,7 +63,7 @@ def test_what_nobody_wants_any_more_is_closed_when_it_has_opened(openings, qtbot
     assert openings.get("a") is None
 
 
-def test_a_failure_is_told_and_the_end_leaves_nothing_open(openings, tasks, qtbot):
+def test_a_failure_is_reported_and_the_end_leaves_nothing_open(openings, tasks, qtbot):
     log = []
     openings.renew("a", "a", lambda: Port(log, "a"), lambda port: True)
     qtbot.waitUntil(lambda: openings.get("a") is not None)

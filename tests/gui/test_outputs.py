@@ -1,4 +1,4 @@
-"""Streams and haptics by clicks, received by sockets that know nothing of us."""
+"""Streams and haptics by clicks, received by independent sockets."""
 
 import contextlib
 import json
@@ -22,14 +22,14 @@ from tracker.streaming.registry import StreamSettings, stream_kinds
 
 
 def sent(panel, name):
-    """How many messages the table shows as sent; -1 where the stream does not run."""
+    """Number of messages shown as sent; -1 if the stream is off."""
     count = panel.cells[name]["sent"].text().partition(" ")[0]
     return int(count) if count.isdigit() else -1
 
 
 @pytest.fixture
 def listener():
-    """A UDP port of this computer at which somebody listens."""
+    """A UDP port of this computer with a listener."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as server:
         server.bind(("127.0.0.1", 0))
         server.setblocking(False)
@@ -37,7 +37,7 @@ def listener():
 
 
 def received(qtbot, listener) -> dict:
-    """The next message, while the window lives on."""
+    """The next message, while the window runs."""
     got = []
 
     def look() -> bool:
@@ -51,7 +51,7 @@ def received(qtbot, listener) -> dict:
 
 @pytest.fixture
 def glove():
-    """Its motors take every command."""
+    """Its motors accept every command."""
     return ScriptedGlove()
 
 
@@ -63,21 +63,21 @@ def motors(glove):
 
 @pytest.fixture
 def panel(window, glove, qtbot):
-    """The panel in sight, on an engine whose glove has motors."""
+    """The visible panel, with an engine whose glove has motors."""
     setup = scripted_setup(ScriptedEngine())
     window.host.adopt(with_glove(setup, glove))
     window.run_command("show_streams")
     return window.panels["streams"]
 
 
-def test_as_installed_nothing_is_sent_and_only_this_computer_would_hear_it(panel, window):
+def test_by_default_nothing_is_sent_and_only_to_this_computer(panel, window):
     assert not any(box.isChecked() for box in panel.boxes.values())
     assert list(panel.boxes) == list(stream_kinds())
     assert panel.address.text() == "127.0.0.1"
     assert all(window.outputs.counts(name) is None for name in (*panel.boxes, HAPTICS))
 
 
-def test_the_isaac_record_has_a_file_that_is_chosen_and_never_replaced(
+def test_the_isaac_record_has_a_chosen_file_and_never_replaces_one(
     panel, window, tmp_path, monkeypatch, qtbot
 ):
     assert panel.files["isaac"].text() == "hands.mcap" and "isaac" not in panel.ports
@@ -100,14 +100,14 @@ def test_the_isaac_record_has_a_file_that_is_chosen_and_never_replaced(
 
 
 def _records(path: Path) -> list[str]:
-    """Sides in a record that is whole; nothing of another."""
+    """Sides in a complete record; nothing for any other file."""
     try:
         return sorted({side for side, record in read_records(path) if record.joints is not None})
     except FileError:
         return []
 
 
-def test_who_else_hears_lab_streaming_layer_is_said_beside_its_switch(panel):
+def test_the_recipients_of_lab_streaming_layer_are_named_next_to_its_switch(panel):
     assert not panel.boxes["lsl"].isChecked()
     assert "listens on all addresses" in panel.reach.text()
     assert "listens on all addresses" in panel.boxes["lsl"].toolTip()
@@ -130,14 +130,14 @@ def test_a_stream_is_switched_on_received_counted_and_off(panel, window, listene
     qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=10_000)
 
 
-def test_what_was_on_runs_again_after_the_next_start(panel, window, store, listener, qtbot):
+def test_enabled_streams_run_again_after_the_next_start(panel, window, store, listener, qtbot):
     port = listener.getsockname()[1]
     panel.ports["udp"].setValue(port)
     panel.boxes["udp"].click()
     received(qtbot, listener)
     window.close()
     with contextlib.suppress(BlockingIOError):
-        while True:  # what was on its way
+        while True:  # in transmission
             listener.recv(65536)
     again = MainWindow(SettingsStore(store.path))
     qtbot.addWidget(again)
@@ -154,7 +154,7 @@ def test_what_was_on_runs_again_after_the_next_start(panel, window, store, liste
     again.close()
 
 
-def test_a_port_in_use_is_told_in_words_and_the_rest_goes_on(panel, window, qtbot):
+def test_a_port_in_use_is_reported_and_the_rest_continues(panel, window, qtbot):
     pytest.importorskip("websockets")
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))
@@ -192,7 +192,7 @@ def test_closing_the_window_while_a_stream_opens_leaves_nothing(panel, window):
     window.close()  # the fixtures look for threads
 
 
-def test_each_motor_can_be_felt(panel, motors, qtbot):
+def test_each_motor_can_be_tested(panel, motors, qtbot):
     panel.amplitude.setValue(123)
     for channel in (0, 4):
         qtbot.mouseClick(panel.motors[channel], Qt.MouseButton.LeftButton)
@@ -214,13 +214,13 @@ def test_a_fingertip_in_the_sphere_vibrates_its_motor(panel, window, motors, sto
     qtbot.waitUntil(lambda: window.outputs.counts("haptics") is None, timeout=10_000)
 
 
-def test_without_an_engine_there_is_no_place_for_the_sphere(window):
+def test_without_an_engine_there_is_no_position_for_the_sphere(window):
     window.panels["streams"].rule.click()
     assert not window.panels["streams"].rule.isChecked()
     assert "not placed" in window.banner.text()
 
 
-def test_what_was_remembered_wrongly_is_the_default():
+def test_invalid_stored_settings_are_replaced_by_the_default():
     settings = StreamSettings({"udp": True, "udp_port": "9000", "host": 3, "new": 1, "vmc": 1})
     options = settings.options(stream_kinds()["udp"])
     assert (options.host, options.port) == ("127.0.0.1", 9750)
@@ -228,8 +228,8 @@ def test_what_was_remembered_wrongly_is_the_default():
     assert remembered(HapticRule, {"center": [1, 2.5, 3]}).center == (1.0, 2.5, 3.0)
 
 
-def test_the_test_button_says_whether_a_program_receives(panel, window, listener, qtbot):
-    """Of UDP only a refusal is known; of a server who is connected."""
+def test_the_test_button_shows_whether_a_program_receives(panel, window, listener, qtbot):
+    """For UDP only a rejection is known; for a server the number of clients."""
     panel.ports["udp"].setValue(listener.getsockname()[1])
     panel.tests["udp"].click()
     assert "switch it on" in panel.result.text()
@@ -255,7 +255,7 @@ def test_the_test_button_says_whether_a_program_receives(panel, window, listener
         qtbot.waitUntil(lambda: "received by 1" in panel.result.text(), timeout=10_000)
 
 
-def test_options_are_set_in_a_form_and_remembered(panel, window, store, qtbot):
+def test_options_are_set_in_a_form_and_stored(panel, window, store, qtbot):
     kind = window.outputs.kinds["vmt"]
     options = option_fields(kind, window.outputs.settings.options(kind))
     dialog = OptionsDialog(kind.title, options, panel)

@@ -55,7 +55,7 @@ except OSError as error:
 
 @pytest.fixture
 def shared(monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
-    """A temporary folder that everybody may write to, and no other place for the socket."""
+    """A temporary folder writable by everyone, and no other place for the socket."""
     import tempfile
 
     with tempfile.TemporaryDirectory(dir="/tmp") as name:
@@ -87,11 +87,11 @@ class Stranger:
 
 
 def no_login_folder(monkeypatch: pytest.MonkeyPatch) -> None:
-    """As where nobody is logged in: /run/user/UID is missing."""
+    """As without a login session: /run/user/UID is missing."""
     monkeypatch.setattr(own_socket, "_runtime_folders", lambda: iter(()))
 
 
-def test_the_socket_is_in_a_folder_of_the_users_own(tmp_path, monkeypatch, name):
+def test_the_socket_is_in_a_private_folder_of_the_user(tmp_path, monkeypatch, name):
     run = tmp_path / "r"
     run.mkdir(mode=0o700)
     monkeypatch.setenv("XDG_RUNTIME_DIR", str(run))
@@ -117,7 +117,7 @@ def test_without_a_login_it_is_in_the_cache_or_in_a_private_temporary_folder(
 
 
 @pytest.mark.parametrize("squatted", ["link", "file", "open"])
-def test_a_squatted_folder_is_an_error_in_words(shared, monkeypatch, name, squatted, capsys):
+def test_a_squatted_folder_is_reported(shared, monkeypatch, name, squatted, capsys):
     no_login_folder(monkeypatch)
     folder = shared / f"glovetrack-{os.getuid()}"
     if squatted == "link":
@@ -155,7 +155,7 @@ def test_a_folder_of_another_user_is_an_error_and_not_exit_0(shared, name):
 
 
 @as_root
-def test_another_users_listener_is_refused(shared, monkeypatch, name, capsys):
+def test_another_users_listener_is_rejected(shared, monkeypatch, name, capsys):
     no_login_folder(monkeypatch)
     address = addresses(name)[0]
     stranger = Stranger(shared / "s", NOBODY, '{"ok": true, "do": "start", "text": "Trust me."}')
@@ -174,13 +174,13 @@ def test_another_users_listener_is_refused(shared, monkeypatch, name, capsys):
 
 
 @as_root
-def test_another_user_cannot_speak_to_the_window(shared, monkeypatch, name, qtbot):
+def test_another_user_cannot_connect_to_the_window(shared, monkeypatch, name, qtbot):
     no_login_folder(monkeypatch)
     instance, asked = Instance(name), []
     instance.asked.connect(asked.append)
     address = Path(addresses(name)[0])
     try:
-        for opened in (False, True):  # even where the folder was opened to everybody later
+        for opened in (False, True):  # even if the folder is made accessible later
             if opened:
                 address.parent.chmod(0o755)
                 address.chmod(0o777)
@@ -195,7 +195,7 @@ def test_another_user_cannot_speak_to_the_window(shared, monkeypatch, name, qtbo
         instance.close()
 
 
-def test_an_answer_that_no_window_writes_is_refused(shared, monkeypatch, name):
+def test_an_answer_of_another_format_is_rejected(shared, monkeypatch, name):
     no_login_folder(monkeypatch)
     stranger = Stranger(Path(addresses(name)[0]), os.getuid(), "\x1b[2J I am the window")
     try:

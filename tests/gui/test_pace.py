@@ -1,4 +1,4 @@
-"""How often the window is drawn: less where images are left out, never so seldom that it sticks."""
+"""The frame rate of the window: lower under load, never so low that it appears frozen."""
 
 import numpy as np
 
@@ -9,7 +9,7 @@ COST = 0.02  # s of processor time a drawing, at 60 calls a second
 
 
 def drawings(pace, seconds, hurried=False, cost=COST):
-    """How many a second there are, and the share of a processor that they take."""
+    """Number of drawings per second, and their share of a processor."""
     now = spent = 100.0
     pace.is_due(now, spent, hurried)
     count = 0
@@ -22,12 +22,12 @@ def drawings(pace, seconds, hurried=False, cost=COST):
     return count / seconds, count * cost / seconds
 
 
-def test_where_nothing_is_left_out_it_is_drawn_at_each_call():
+def test_without_load_it_is_drawn_at_each_call():
     rate, _ = drawings(Pace(), 10.0)
     assert rate > 25.0  # 20 ms of work and 17 ms of waiting each
 
 
-def test_images_that_are_left_out_take_the_window_back_and_it_comes_again():
+def test_load_reduces_the_rate_and_it_is_restored():
     pace = Pace()
     for _ in range(20):
         pace.look(True)
@@ -39,7 +39,7 @@ def test_images_that_are_left_out_take_the_window_back_and_it_comes_again():
     assert pace.share == 1.0
 
 
-def test_a_dear_window_is_drawn_as_often_as_it_must_not_to_look_stuck():
+def test_a_slow_window_is_drawn_at_the_minimum_rate():
     pace = Pace()
     for _ in range(20):
         pace.look(True)
@@ -47,12 +47,12 @@ def test_a_dear_window_is_drawn_as_often_as_it_must_not_to_look_stuck():
     assert rate > 0.9 / (SLOWEST + 1 / 60)
 
 
-def test_beside_a_robot_the_share_is_held_whatever_the_rate():
+def test_with_a_robot_the_share_is_limited_at_any_rate():
     _, share = drawings(Pace(), 10.0, hurried=True, cost=0.1)
     assert share <= LOW_LATENCY_SHARE
 
 
-def test_rows_of_the_last_seconds_are_kept_whatever_the_room():
+def test_rows_of_the_last_seconds_are_kept_at_any_size():
     rows, t, span = TimedRows(5.0), 0.0, 5.0
     rng = np.random.default_rng(3)
     wanted = []

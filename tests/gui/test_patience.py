@@ -1,4 +1,4 @@
-"""Tests wait while a job gets on, and give up where it does not."""
+"""Tests wait while a job makes progress, and stop if it stalls."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ def sleep(pipe) -> None:
     pipe.recv()
 
 
-def test_a_job_that_gets_on_is_waited_for(qtbot) -> None:
+def test_a_job_that_makes_progress_is_waited_for(qtbot) -> None:
     pipe, process = start_child("works", work)
     qtbot.waitUntil(lambda: pipe.poll(), timeout=300)
     assert pipe.recv() == "done"
     process.join()
 
 
-def test_a_job_that_stands_still_is_given_up(qtbot, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_stalled_job_times_out(qtbot, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(patience, "STALLED", 2.0)
     pipe, process = start_child("sleeps", sleep)
     assert pipe.poll(60)  # its start uses the processor

@@ -1,4 +1,4 @@
-"""The collector of garbage does not hold all threads while a hand is tracked."""
+"""Garbage collection does not block all threads while a hand is tracked."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from app.window import pauses
 
 @pytest.fixture(autouse=True)
 def _thawed() -> Iterator[None]:
-    """Nothing is set aside before: the run of all tests does it too, with what was collected."""
+    """Nothing is frozen before: a run of all tests does it too, with its objects."""
     gc.unfreeze()
     yield
     gc.unfreeze()
@@ -28,7 +28,7 @@ class Loop:
         self.itself = self
 
 
-def test_objects_that_stay_are_set_aside_soon_after_a_start(
+def test_permanent_objects_are_frozen_soon_after_a_start(
     qtbot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(pauses, "SETTLED_MS", 1)
@@ -40,12 +40,12 @@ def test_objects_that_stay_are_set_aside_soon_after_a_start(
     qtbot.waitUntil(lambda: gc.get_freeze_count() > 0)
 
 
-def test_what_became_garbage_after_it_was_set_aside_is_freed_at_the_next_start() -> None:
+def test_garbage_among_frozen_objects_is_freed_at_the_next_start() -> None:
     loop = Loop()
     watched = weakref.ref(loop)
     freeze_permanent_objects()
     del loop
     gc.collect()
-    assert watched() is not None  # or else nothing is set aside at all
+    assert watched() is not None  # otherwise nothing is frozen at all
     freeze_permanent_objects()
     assert watched() is None

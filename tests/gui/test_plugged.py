@@ -1,4 +1,4 @@
-"""A day's order of things: devices that come late, a wrong file, a look at a take and back."""
+"""Typical sequences: devices connected late, an invalid file, reviewing a take and returning."""
 
 import threading
 from dataclasses import replace
@@ -14,7 +14,7 @@ from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 from tracker.base.errors import DeviceError, FileError
 
 
-def test_what_comes_is_told_once_it_has_settled_and_again_after_it_was_gone():
+def test_a_new_device_is_reported_once_it_is_stable_and_again_after_removal():
     newcomers = Newcomers()
     there = ["ttyUSB0"]
     assert newcomers.look(there) == []
@@ -28,7 +28,7 @@ def test_what_comes_is_told_once_it_has_settled_and_again_after_it_was_gone():
     assert newcomers.look(["another"]) == newcomers.look(["another"]) == []
 
 
-def test_a_port_and_a_camera_chosen_by_hand_are_looked_for_where_they_are(tmp_path, monkeypatch):
+def test_manually_chosen_ports_and_cameras_are_checked_directly(tmp_path, monkeypatch):
     monkeypatch.setattr("app.jobs.plugged.serial_ports", lambda: ["/dev/ttyUSB0"])
     monkeypatch.setattr("app.jobs.plugged.all_cameras", lambda: [SimpleNamespace(name="ZED")])
     glove, film = tmp_path / "glove0", tmp_path / "film.avi"
@@ -39,7 +39,7 @@ def test_a_port_and_a_camera_chosen_by_hand_are_looked_for_where_they_are(tmp_pa
     assert plugged_in(settings) == {"/dev/ttyUSB0", "ZED", str(glove), str(film)}
 
 
-def test_a_watch_tells_of_newcomers_until_it_rests(qtbot, store):
+def test_a_watch_reports_new_devices_until_it_stops(qtbot, store):
     there: set[str] = set()
     watch = PlugWatch(SimpleNamespace(opening=False), store, look=lambda _s: frozenset(there))
     watch._timer.setInterval(10)
@@ -57,25 +57,25 @@ def test_a_watch_tells_of_newcomers_until_it_rests(qtbot, store):
 
 @pytest.fixture
 def searches(window, monkeypatch):
-    """Titles of what the window has begun to open; nothing is."""
+    """Titles of what the window has started to open; nothing is opened."""
     begun: list[str] = []
     monkeypatch.setattr(window.host, "open", lambda title, *_a, **_k: begun.append(title))
     return begun
 
 
-def test_where_nothing_is_open_a_device_that_comes_is_looked_at_at_once(window, searches):
+def test_a_new_device_is_opened_at_once_if_nothing_is_open(window, searches):
     window.sources.plugged.came.emit(["/dev/ttyUSB0"])
     assert searches == ["Looking for glove and camera"]
 
 
-def test_half_a_rig_goes_on_and_offers_what_has_come(live, searches):
+def test_half_a_rig_continues_and_offers_the_new_device(live, searches):
     live.sources.plugged.came.emit(["/dev/ttyUSB0"])
     assert searches == [] and "/dev/ttyUSB0" in live.banner.text()
     live.banner.buttons[0].click()
     assert searches == ["Looking for glove and camera"]
 
 
-def test_it_is_watched_while_something_is_missing_and_no_longer(window, qtbot):
+def test_it_watches_only_while_something_is_missing(window, qtbot):
     def missing(_progress):
         raise DeviceError("No glove was found.")
 
@@ -87,7 +87,7 @@ def test_it_is_watched_while_something_is_missing_and_no_longer(window, qtbot):
     assert not watch._timer.isActive()
 
 
-def test_a_file_that_cannot_be_read_leaves_open_what_is_open(live, qtbot):
+def test_an_unreadable_file_leaves_the_open_one_unchanged(live, qtbot):
     def bad(_progress):
         raise FileError("bad.mcap is no session.")
 
@@ -97,7 +97,7 @@ def test_a_file_that_cannot_be_read_leaves_open_what_is_open(live, qtbot):
     assert live.host.setup is setup and live.host.running and not live.host.opening
 
 
-def test_a_recording_that_begins_while_a_file_is_being_opened_goes_on(live, qtbot, tmp_path):
+def test_a_recording_started_while_a_file_is_being_opened_continues(live, qtbot, tmp_path):
     let, built = threading.Event(), []
 
     def slow(_progress):
@@ -116,7 +116,7 @@ def test_a_recording_that_begins_while_a_file_is_being_opened_goes_on(live, qtbo
     live.host.recording.end()
 
 
-def test_from_a_take_one_goes_back_to_what_was_live(window, searches):
+def test_from_a_take_one_returns_to_the_live_devices(window, searches):
     window.sources.open_demo()
     assert not window.sources.can_go_live
     take = replace(scripted_setup(ScriptedEngine()), player=SimpleNamespace())
@@ -127,7 +127,7 @@ def test_from_a_take_one_goes_back_to_what_was_live(window, searches):
     window.host._setup = None
 
 
-def test_a_sentence_never_lies_over_the_transport(live, qtbot):
+def test_a_message_never_covers_the_transport(live, qtbot):
     transport = live.library.transport
     live.layouts.choose("look")
     live.show_panel("library")

@@ -36,7 +36,7 @@ class Resettable(ScriptedEngine):
 
 @pytest.fixture
 def resets() -> list[str]:
-    """Sides of the hands that were reset."""
+    """Sides of the reset hands."""
     return []
 
 
@@ -85,7 +85,7 @@ def settings(window) -> QDialog:
     return window.set_up.dialogs["pose_reset"]
 
 
-def test_another_key_is_set_shown_in_the_menu_and_kept(both, qtbot, store, resets):
+def test_another_key_is_set_shown_in_the_menu_and_stored(both, qtbot, store, resets):
     dialog = settings(both)
     dialog.key.setKeySequence(QKeySequence("N"))
     dialog.save.click()
@@ -105,7 +105,7 @@ def test_another_key_is_set_shown_in_the_menu_and_kept(both, qtbot, store, reset
     assert sorted(resets) == ["left", "right"]
 
 
-def test_a_letter_that_is_typed_into_a_field_resets_nothing(both, qtbot, resets):
+def test_a_letter_typed_into_a_field_resets_nothing(both, qtbot, resets):
     field = QLineEdit(both)
     field.show()
     field.setFocus()
@@ -115,7 +115,7 @@ def test_a_letter_that_is_typed_into_a_field_resets_nothing(both, qtbot, resets)
 
 
 class Tapped(ScriptedEngine):
-    """A glove at rest whose back is tapped at instants ``taps`` (s)."""
+    """A glove at rest whose back is tapped at times ``taps`` (s)."""
 
     def __init__(self, taps: tuple[float, ...]) -> None:
         super().__init__()
@@ -136,9 +136,7 @@ class Tapped(ScriptedEngine):
     ("on", "taps", "counts"),
     [(True, (1.0, 1.2), True), (True, (1.0,), False), (False, (1.0, 1.2), False)],
 )
-def test_a_double_tap_begins_it_where_the_settings_say_so(
-    window, qtbot, store, resets, on, taps, counts
-):
+def test_a_double_tap_starts_it_if_enabled(window, qtbot, store, resets, on, taps, counts):
     assert not store.value.pose_reset_tap, "off by default"
     engine = Tapped(taps)
     window.pose_reset._timer.setInterval(TICK_MS)

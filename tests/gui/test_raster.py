@@ -1,4 +1,4 @@
-"""The painted view's renderer, against what geometry says of a pinhole camera."""
+"""The software renderer, compared with the geometry of a pinhole camera."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 WIDTH, HEIGHT = 160, 120
 FOCAL = 0.5 * HEIGHT / np.tan(np.deg2rad(VIEW_ANGLE_DEG / 2))
 FLAT = BodyLook("#FFFFFF", ambient=2.0)
-"""White wherever it is seen, so that a pixel tells how much of it is covered."""
+"""White wherever it is visible, so that a pixel shows its coverage."""
 
 
 def rendered(scene: RasterScene, orbit: Orbit | None = None) -> np.ndarray:
@@ -101,7 +101,7 @@ def test_a_size_in_the_pose_scales_the_body() -> None:
 
 
 @pytest.mark.parametrize("swapped", [False, True])
-def test_the_nearer_body_is_seen_in_whatever_order_they_came(swapped: bool) -> None:
+def test_the_nearer_body_is_visible_in_any_drawing_order(swapped: bool) -> None:
     scene, orbit = RasterScene(), Orbit()
     near, far = 0.05 * orbit.direction, np.zeros(3)
     for colour, p in [("#FF0000", near), ("#00FF00", far)][:: -1 if swapped else 1]:
@@ -110,7 +110,7 @@ def test_the_nearer_body_is_seen_in_whatever_order_they_came(swapped: bool) -> N
     assert (red, green) == (1.0, 0.0)
 
 
-def test_what_is_seen_through_mixes_by_its_opacity() -> None:
+def test_transparent_bodies_are_blended_by_their_opacity() -> None:
     scene, orbit = RasterScene(), Orbit()
     scene.set_background("#0000FF")
     for colour, opacity, near in (("#00FF00", 0.5, 0.0), ("#FF0000", 0.4, 0.1)):
@@ -120,7 +120,7 @@ def test_what_is_seen_through_mixes_by_its_opacity() -> None:
     np.testing.assert_allclose(mixed, [0.4, 0.6 * 0.5, 0.6 * 0.5], atol=1 / 255)
 
 
-def test_of_a_group_only_the_nearest_see_through_body_is_seen() -> None:
+def test_of_a_group_only_the_nearest_transparent_body_is_visible() -> None:
     scene, orbit = RasterScene(), Orbit()
     for near in (0.0, 0.1):
         look = BodyLook("#FFFFFF", opacity=0.5, ambient=2.0, group=1)
@@ -139,7 +139,7 @@ def test_a_line_covers_its_length_times_its_width(width_px: float) -> None:
     assert cover.sum() == pytest.approx(length * width_px, rel=0.06)
 
 
-def test_a_line_passes_behind_a_body() -> None:
+def test_a_line_is_occluded_by_a_body() -> None:
     orbit = Orbit()
     R = facing(orbit)
     scene = RasterScene()
@@ -163,7 +163,7 @@ def test_a_grid_alone_lets_the_background_through_between_its_lines() -> None:
     [np.full(3, np.nan), 2 * Orbit().eye, np.array([np.inf, 0.0, 0.0])],
     ids=["nowhere", "behind", "endless"],
 )
-def test_what_has_no_place_before_the_eye_is_not_drawn(p: np.ndarray) -> None:
+def test_bodies_behind_the_eye_are_not_drawn(p: np.ndarray) -> None:
     scene = RasterScene()
     for shape in (
         ball(0.02),
@@ -174,11 +174,11 @@ def test_what_has_no_place_before_the_eye_is_not_drawn(p: np.ndarray) -> None:
     assert not rendered(scene).any()
 
 
-def test_a_body_around_the_eye_hides_nothing() -> None:
+def test_a_body_around_the_eye_occludes_nothing() -> None:
     assert not cover_of(ball(1.0)).any()
 
 
-def test_a_line_that_goes_past_the_eye_is_cut() -> None:
+def test_a_line_that_passes_the_eye_is_clipped() -> None:
     orbit = Orbit()
     scene = RasterScene()
     scene.add(polyline(np.stack([0.01 * orbit.up, 2 * orbit.eye])), FLAT)
@@ -207,7 +207,7 @@ def test_a_image_may_be_tiny_and_the_scene_empty(size: tuple[int, int]) -> None:
     assert (scene.render(Orbit(), *size) == 0xFF102030).all()
 
 
-def test_more_pieces_than_the_first_list_holds() -> None:
+def test_more_pieces_than_the_initial_list_holds() -> None:
     """Thousands of lines over the whole image, whose last one is still drawn."""
     scene, R = RasterScene(), facing(Orbit())
     across = np.array([[-0.2, 0.0, 0.0], [0.2, 0.0, 0.0]]) @ R.T

@@ -1,4 +1,4 @@
-"""Record, pause, note, stop; and what a closing window leaves behind."""
+"""Record, pause, note, stop; and the files left by a closing window."""
 
 import dataclasses
 import threading
@@ -43,7 +43,7 @@ def recording(window, engine, recorders, qtbot):
     return window
 
 
-def test_record_command_makes_a_named_file_and_a_second_press_ends_it(recording, recorders):
+def test_record_command_creates_a_named_file_and_a_second_press_ends_it(recording, recorders):
     assert recording.host.recording.request is not None
     assert recorders[0].path.name.startswith("P-01-a_")
     assert recording.recording.record_button.text() == "Stop"
@@ -53,13 +53,13 @@ def test_record_command_makes_a_named_file_and_a_second_press_ends_it(recording,
     assert recording.recording.record_button.text() == "Record"
 
 
-def test_a_note_reaches_the_file(recording, recorders, qtbot):
+def test_a_note_is_written_to_the_file(recording, recorders, qtbot):
     QTest.keyClicks(recording.recording.note_text, "gripped the cup\r")
     assert [m.text for m in recorders[0].messages if isinstance(m, Event)] == ["gripped the cup"]
     qtbot.waitUntil(lambda: recording.log.model.entries("note", "gripped") != [], timeout=30_000)
 
 
-def test_the_panel_tells_what_was_written_and_what_was_lost(recording, engine, qtbot):
+def test_the_panel_shows_written_and_lost_messages(recording, engine, qtbot):
     recording.run_command("show_recording")
     for _ in range(7):
         engine.recorder.write(engine.latest_estimate())
@@ -74,9 +74,7 @@ def test_closing_the_window_while_recording_closes_the_file(recording, engine, r
     assert engine.stopped == 1
 
 
-def test_a_recording_whose_file_takes_no_more_ends_and_the_next_one_may_begin(
-    recording, engine, recorders
-):
+def test_a_recording_on_a_full_disk_ends_and_the_next_one_may_begin(recording, engine, recorders):
     def full(*_message, **_how):
         raise FileError("The disk is full.")
 
@@ -91,7 +89,7 @@ def test_a_recording_whose_file_takes_no_more_ends_and_the_next_one_may_begin(
     assert recording.host.recording.request is not None and len(recorders) == 2
 
 
-def test_pause_holds_back_streams_and_keeps_notes(engine, tmp_path, recorders):
+def test_pause_suspends_streams_and_keeps_notes(engine, tmp_path, recorders):
     setup = scripted_setup(engine, recorders)
     recorder = PausableRecorder(
         setup.live.make_recorder(RecordingRequest(tmp_path / "a.mcap", "", ""))
@@ -106,7 +104,7 @@ def test_pause_holds_back_streams_and_keeps_notes(engine, tmp_path, recorders):
     assert kinds == ["Estimate", "Event", "Estimate"]
 
 
-def test_after_a_pause_the_file_hears_what_the_engine_knows(recording, engine):
+def test_after_a_pause_the_file_contains_the_engines_state(recording, engine):
     recording.host.recording.pause(True)
     assert engine.kept_states == 0
     recording.host.recording.pause(False)
@@ -127,14 +125,14 @@ def test_the_time_recorded_counts_from_the_record_command_to_the_stop(engine, tm
     assert recording.elapsed == 0.0 and recording.request is None
 
 
-def test_an_engine_stops_while_the_disk_is_behind_and_the_file_is_told_when_whole(
+def test_an_engine_stops_while_the_disk_is_behind_and_the_file_is_reported_when_complete(
     recording, engine, recorders, monkeypatch, tmp_path
 ):
     host, finished, failures = recording.host, [], []
     host.recording.finished.connect(finished.append)
     host.recording.failed.connect(failures.append)
     behind = engine.recorder
-    monkeypatch.setattr(engine, "set_recorder", lambda recorder: None)  # its end takes long
+    monkeypatch.setattr(engine, "set_recorder", lambda recorder: None)  # closing it takes long
     recorders[0].close = lambda: (_ for _ in ()).throw(FileError("The disk is full."))
     host.shut_down()
     assert host.setup is None and host.recording.closing and finished == []
@@ -155,7 +153,7 @@ def test_closing_the_window_waits_for_the_disk(recording, engine, recorders, mon
     disk_thread.join()
 
 
-def test_a_disk_that_is_behind_is_not_waited_for(engine, tmp_path, qapp, monkeypatch):
+def test_a_slow_disk_is_not_waited_for(engine, tmp_path, qapp, monkeypatch):
     recording, finished, failures = Recording(), [], []
     recording.finished.connect(finished.append)
     recording.failed.connect(failures.append)
@@ -174,7 +172,7 @@ def test_a_disk_that_is_behind_is_not_waited_for(engine, tmp_path, qapp, monkeyp
     assert recording.begin(RecordingRequest(tmp_path / "b.mcap", "", ""))
 
 
-def test_what_was_typed_is_there_at_the_next_start(store, tmp_path):
+def test_typed_values_are_restored_at_the_next_start(store, tmp_path):
     plan = RecordingPlan(store)
     plan.participant, plan.task = " P01 ", "pinch"
     plan.set_folder(tmp_path / "new")
@@ -185,7 +183,7 @@ def test_what_was_typed_is_there_at_the_next_start(store, tmp_path):
     assert (again.participant, again.task, again.folder) == ("P01", "pinch", tmp_path / "new")
 
 
-def test_an_impossible_folder_is_said_and_nothing_is_recorded(window, engine, tmp_path):
+def test_an_impossible_folder_is_reported_and_nothing_is_recorded(window, engine, tmp_path):
     window.host.adopt(scripted_setup(engine))
     blocker = tmp_path / "file"
     blocker.write_text("")
@@ -210,7 +208,7 @@ def test_start_after_stop_builds_a_new_engine(window, qtbot):
     assert made[0].stopped == 1 and made[1].started == 1
 
 
-def test_names_never_meet_an_existing_file(tmp_path):
+def test_names_never_equal_an_existing_file(tmp_path):
     now = datetime(2026, 3, 1, 12, 0, 0)
     first = recording_path(tmp_path, "P1", "", now)
     assert first.name == "P1_2026-03-01_12-00-00.mcap"
@@ -230,18 +228,18 @@ def test_disk_warns_under_five_and_stops_under_one_gigabyte(free, warns, full):
     assert (bool(space.warning), space.full) == (warns, full)
 
 
-def test_disk_tells_the_time_left():
+def test_the_remaining_recording_time_is_shown():
     assert "1:06:40" in disk(STOP_BYTES + 4_000_000_000, 1e6).text
 
 
-def test_figures_as_people_write_them():
+def test_figures_have_readable_units():
     assert duration_text(59.9) == "0:59"
     assert duration_text(3725) == "1:02:05"
     assert size_text(999) == "999 B"
     assert size_text(1_500_000) == "1.5 MB"
 
 
-def test_losses_are_named_for_what_they_are():
+def test_losses_are_named_by_their_kind():
     values = {"imu_lost": 3.0, "pictures_thinned": 2.0}
     assert losses_text(values) == "3 packets, 2 images not recorded"
     assert "4 messages" in losses_text({**values, "imu_overflow": 4.0})
@@ -257,7 +255,7 @@ def notes_in(recorder):
     return [m for m in recorder.messages if isinstance(m, Event) and m.kind == "note"]
 
 
-def test_a_note_is_of_the_instant_its_key_was_pressed_not_of_its_last_word(recording, recorders):
+def test_a_note_has_the_time_of_its_key_press_not_of_its_last_word(recording, recorders):
     before = monotonic()
     recording.run_command("note")
     pressed = monotonic()
@@ -277,7 +275,7 @@ def test_a_note_is_of_the_instant_its_key_was_pressed_not_of_its_last_word(recor
     assert pressed < second.t <= typed
 
 
-def test_notes_are_changed_and_taken_back_until_the_recording_ends(recording, recorders):
+def test_notes_can_be_edited_and_deleted_until_the_recording_ends(recording, recorders):
     listed = recording.recording.notes
     for text in ("gripped", "let fall", "sneezed"):
         recording.host.notes.add(text)
@@ -287,7 +285,7 @@ def test_notes_are_changed_and_taken_back_until_the_recording_ends(recording, re
     QTest.keyClick(listed, Qt.Key.Key_Delete)
     assert [listed.item(i, 1).text() for i in range(listed.rowCount())] == ["gripped", "dropped"]
     events = notes_in(recorders[0])
-    assert len(events) == 5  # a file is only ever added to
+    assert len(events) == 5  # a file is only appended to
     held = standing(events)
     assert [e.text for e in held] == ["gripped", "dropped"]
     assert held[1].t == events[1].t
@@ -295,7 +293,7 @@ def test_notes_are_changed_and_taken_back_until_the_recording_ends(recording, re
     assert listed.rowCount() == 0
 
 
-def test_a_deleted_note_comes_back_with_undo(recording, recorders):
+def test_a_deleted_note_is_restored_by_undo(recording, recorders):
     listed = recording.recording.notes
     for text in ("gripped", "sneezed"):
         recording.host.notes.add(text)
@@ -332,14 +330,14 @@ def test_recordings_are_named_by_a_template(tmp_path, template, participant, tas
     assert recording_path(tmp_path, participant, task, NOW, template).name == f"{name}.mcap"
 
 
-def test_the_counter_goes_on_from_the_highest_number_there_is(tmp_path):
+def test_the_counter_continues_from_the_highest_existing_number(tmp_path):
     for taken in ("P1_001", "P1_009", "P2_044", "P1_009_2", "other"):
         (tmp_path / f"{taken}.mcap").write_text("")
     assert recording_path(tmp_path, "P1", "", NOW, "{participant}_{n:03}").name == "P1_010.mcap"
     assert recording_path(tmp_path, "P2", "", NOW, "{participant}_{n}").name == "P2_45.mcap"
 
 
-def test_a_wrong_template_is_refused_in_words_and_the_last_one_kept(window, store):
+def test_an_invalid_template_is_rejected_and_the_last_one_used(window, store):
     field = window.recording.name_template
     for wrong, word in (("{who}_{n}", "{who}"), ("{participant", "incomplete")):
         field.setText(wrong)
@@ -353,7 +351,7 @@ def test_a_wrong_template_is_refused_in_words_and_the_last_one_kept(window, stor
     assert SettingsStore(store.path).value.recording_name == "{participant}-{n:02}"
 
 
-def test_what_a_note_keeps_beside_its_text_stays_with_another_wording(recording, recorders):
+def test_other_data_of_a_note_survive_an_edit(recording, recorders):
     recording.host.notes.add("go", 12.5, {"lsl": {"stamp": 3.25}})
     recording.host.notes.change(0, "go left")
     first, second = notes_in(recorders[0])
@@ -361,7 +359,7 @@ def test_what_a_note_keeps_beside_its_text_stays_with_another_wording(recording,
     assert first.data["lsl"] == second.data["lsl"] == {"stamp": 3.25}
 
 
-def test_a_replay_offers_no_recording_and_counts_nothing_down(window, engine, store):
+def test_a_replay_offers_no_recording_and_no_countdown(window, engine, store):
     store.update(countdown=3)
     setup = scripted_setup(engine)
     window.host.adopt(dataclasses.replace(setup, live=None))
@@ -372,7 +370,7 @@ def test_a_replay_offers_no_recording_and_counts_nothing_down(window, engine, st
     assert window.record_key.left == 0
 
 
-def test_what_is_said_leaves_the_record_button_in_sight(live, qtbot):
+def test_messages_leave_the_record_button_visible(live, qtbot):
     live.show_panel("recording")
     live.messages.say("The name holds a word that is none.")
     button = live.recording.record_button

@@ -1,4 +1,4 @@
-"""How often panels are refreshed, on a clock that is given."""
+"""The refresh rate of panels, on a simulated clock."""
 
 from types import SimpleNamespace
 
@@ -40,7 +40,8 @@ def host(qapp):
 
 
 def refreshed(host: EngineHost, qtbot, shed: float) -> tuple[int, int]:
-    """How often in 10 s a panel was that is spared from the first step on, and one that never."""
+    """Refreshes in 10 s of a panel that is reduced from the first step on, and of one that never
+    is."""
     engine = ScriptedEngine()
     engine.values["load_shed"] = shed
     host.adopt(scripted_setup(engine))
@@ -58,7 +59,7 @@ def refreshed(host: EngineHost, qtbot, shed: float) -> tuple[int, int]:
     return panels[0].times, panels[1].times
 
 
-def test_only_what_can_be_spared_waits_on_a_slow_computer(host, qtbot):
+def test_only_low_priority_panels_are_delayed_on_an_overloaded_computer(host, qtbot):
     both = refreshed(host, qtbot, 0.0)
     assert both[0] == both[1] == pytest.approx(10 / Counting.period, rel=0.1)
     spared, other = refreshed(host, qtbot, float(Shed.VIEW_RATE))
@@ -66,7 +67,7 @@ def test_only_what_can_be_spared_waits_on_a_slow_computer(host, qtbot):
     assert spared == pytest.approx(other / SPARING, rel=0.1)
 
 
-def test_panels_and_shapes_give_way_before_they_are_painted(host, qtbot, monkeypatch):
+def test_panels_and_shapes_are_reduced_before_the_3d_view(host, qtbot, monkeypatch):
     given: list[str] = []
     monkeypatch.setattr(PAINTING, "to", SimpleNamespace(give=lambda: given.append("way")))
     panel = Counting(host, "one", None)
@@ -83,7 +84,7 @@ def test_panels_and_shapes_give_way_before_they_are_painted(host, qtbot, monkeyp
     assert len(given) == 5
 
 
-def test_an_engine_that_fails_is_stopped_and_the_window_says_so(host, qtbot):
+def test_a_failing_engine_is_stopped_and_reported(host, qtbot):
     engine, errors = ScriptedEngine(), []
     host.adopt(scripted_setup(engine))
     host.error.connect(errors.append)

@@ -1,4 +1,4 @@
-"""The window controlled from outside: by its doors, by its own socket, by the command."""
+"""Remote control of the window: by its interfaces, by its own socket, by the command."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ HERE = "127.0.0.1"
 
 
 def open_at(window, qtbot, name: str) -> int:
-    """Open a door at a free port as a user does; the port."""
+    """Open an interface at a free port as a user does; the port."""
     kind = socket.SOCK_STREAM if name == "websocket" else socket.SOCK_DGRAM
     with socket.socket(socket.AF_INET, kind) as s:
         s.bind((HERE, 0))
@@ -44,7 +44,7 @@ def open_at(window, qtbot, name: str) -> int:
 
 
 def meanwhile(qtbot, work):
-    """What ``work`` gives in a thread while the window goes on."""
+    """The result of ``work`` in a thread while the window runs."""
     out = []
     thread = threading.Thread(target=lambda: out.append(work()))
     thread.start()
@@ -52,12 +52,12 @@ def meanwhile(qtbot, work):
     return out[0]
 
 
-def test_nothing_listens_until_it_is_asked_for(window):
+def test_nothing_listens_by_default(window):
     assert not any(box.isChecked() for box in window.panels["streams"].remote.boxes.values())
     assert not [t for t in threading.enumerate() if "remote" in t.name]
 
 
-def test_start_note_and_stop_by_udp_are_as_the_keys(window, engine, qtbot):
+def test_start_note_and_stop_by_udp_are_like_the_keys(window, engine, qtbot):
     recorders = []
     window.host.adopt(scripted_setup(engine, recorders))
     port = open_at(window, qtbot, "udp")
@@ -87,7 +87,7 @@ def test_start_note_and_stop_by_udp_are_as_the_keys(window, engine, qtbot):
     assert cells["sent"].text() == "6" and "127.0.0.1:" in cells["state"].toolTip()
 
 
-def test_a_note_is_of_its_arrival_though_the_window_was_busy(window, engine, qtbot):
+def test_a_note_has_its_arrival_time_even_if_the_window_was_busy(window, engine, qtbot):
     window.host.adopt(scripted_setup(engine))
     port = open_at(window, qtbot, "udp")
     window.run_command("record")
@@ -97,7 +97,7 @@ def test_a_note_is_of_its_arrival_though_the_window_was_busy(window, engine, qtb
         while window.remote.counts("udp").asked == asked:  # the window's thread is busy: no event
             time.sleep(0.001)
         arrived = monotonic()
-        time.sleep(0.02)  # and stays so: twenty times what the stamp may be late
+        time.sleep(0.02)  # for twenty times the maximum timestamp error
         qtbot.waitUntil(lambda: bool(window.host.notes.current), timeout=5_000)
         (note,) = window.host.notes.current.values()
         assert note.t <= arrived + 0.001
@@ -105,7 +105,7 @@ def test_a_note_is_of_its_arrival_though_the_window_was_busy(window, engine, qtb
         assert json.loads(client.recv(9999))["ok"]
 
 
-def test_why_it_cannot_be_recorded_is_answered(window, engine, qtbot, tmp_path):
+def test_the_reason_for_a_refused_recording_is_answered(window, engine, qtbot, tmp_path):
     port = open_at(window, qtbot, "udp")
 
     def start():
@@ -144,7 +144,7 @@ def test_osc_and_web_socket_control_it_too(window, engine, qtbot):
     assert meanwhile(qtbot, by_page)["ok"] and window.host.recording.request is None
 
 
-def test_a_finger_vibrates_and_not_too_often(window, engine, qtbot):
+def test_a_finger_vibrates_at_a_limited_rate(window, engine, qtbot):
     glove = ScriptedGlove()
     buzzed = glove.vibrated
     window.host.adopt(with_glove(scripted_setup(engine), glove))
@@ -158,7 +158,7 @@ def test_a_finger_vibrates_and_not_too_often(window, engine, qtbot):
     assert "No glove with motors" in json.loads(window.remote.answers.answer_line(line))["error"]
 
 
-def test_a_contact_is_felt_while_it_lasts_and_stands_in_the_session(window, engine, qtbot):
+def test_a_contact_vibrates_while_it_lasts_and_is_recorded(window, engine, qtbot):
     glove, recorded = ScriptedGlove(), []
     buzzed = glove.vibrated
     engine.record = recorded.append
@@ -176,12 +176,12 @@ def test_a_contact_is_felt_while_it_lasts_and_stands_in_the_session(window, engi
         ("contact", "begin", "cup"),
         ("contact", "end", "cup"),
     ]
-    say(1.0)  # and nobody tells of its end
+    say(1.0)  # and its end is not reported
     qtbot.waitUntil(lambda: len(recorded) == 4, timeout=20_000)
     assert recorded[-1].data["phase"] == "end"
 
 
-def test_contacts_and_vibration_come_by_osc_and_by_web_socket(window, engine, qtbot):
+def test_contacts_and_vibration_work_by_osc_and_by_web_socket(window, engine, qtbot):
     pytest.importorskip("websockets", reason="websockets is not installed (extra `streams`)")
     from websockets.sync.client import connect
 
@@ -212,9 +212,7 @@ def test_contacts_and_vibration_come_by_osc_and_by_web_socket(window, engine, qt
     assert buzzed == [(1, 255, 2000), (1, 0, 1), (4, 200, 80)]
 
 
-def test_what_is_open_is_open_again_at_the_next_start_and_others_are_warned_of(
-    window, qtbot, store
-):
+def test_open_interfaces_are_restored_with_a_warning_if_external(window, qtbot, store):
     open_at(window, qtbot, "udp")
     assert SettingsStore(store.path).value.remote["udp"] is True
     box = window.panels["streams"].remote
@@ -229,7 +227,7 @@ def test_what_is_open_is_open_again_at_the_next_start_and_others_are_warned_of(
     )
 
 
-def test_a_port_that_is_taken_is_said_in_the_panel(window, qtbot):
+def test_a_port_in_use_is_reported_in_the_panel(window, qtbot):
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
         taken.bind((HERE, 0))
         window.remote.set_port("udp", taken.getsockname()[1])
@@ -239,7 +237,7 @@ def test_a_port_that_is_taken_is_said_in_the_panel(window, qtbot):
     assert "not open" in cells["state"].text() and "cannot start" in cells["state"].toolTip()
 
 
-def test_the_command_line_opens_doors_for_one_run(window, qtbot):
+def test_the_command_line_opens_interfaces_for_one_run(window, qtbot):
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as s:
         s.bind((HERE, 0))
         port = s.getsockname()[1]
@@ -250,7 +248,7 @@ def test_the_command_line_opens_doors_for_one_run(window, qtbot):
 
 
 def said_to(qtbot, name: str, words: dict) -> bytes:
-    """The answer of the local socket, which this thread serves too; empty where it hangs up."""
+    """The answer of the local socket, which this thread serves too; empty if it disconnects."""
     socket = QLocalSocket()
     socket.connectToServer(addresses(name)[0])
     socket.write(json.dumps(words).encode() + b"\n")
@@ -259,7 +257,7 @@ def said_to(qtbot, name: str, words: dict) -> bytes:
     return bytes(socket.readAll().data())
 
 
-def test_the_windows_own_socket_takes_requests_and_still_takes_sessions(window, engine, qtbot):
+def test_the_windows_own_socket_accepts_requests_and_still_opens_sessions(window, engine, qtbot):
     name = f"glovetrack-test-{uuid.uuid4().hex}"
     instance = Instance(name)
     try:
@@ -330,7 +328,7 @@ def test_the_command_controls_the_window_of_another_process(tmp_path):
 
 
 @pytest.mark.parametrize("words", [[], ["dance"], ["note"], ["stop", "--to", "host:x"]])
-def test_wrong_usage_is_told_as_by_every_command(words):
+def test_wrong_usage_is_reported_as_by_every_command(words):
     with pytest.raises(SystemExit) as ended:
         main(["remote", *words])
     assert ended.value.code == 2

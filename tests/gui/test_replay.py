@@ -1,4 +1,4 @@
-"""A recorded session played: what is shown where, and what the transport does."""
+"""Replay of a recorded session: what is shown when, and the transport controls."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -78,7 +78,7 @@ def shown(engine: ReplayEngine) -> float:
     return np.nan if frame is None else frame[1].t
 
 
-def test_steps_go_through_every_image_and_back(replay, frames, qtbot):
+def test_steps_visit_every_image_and_back(replay, frames, qtbot):
     assert shown(replay) == frames[0].t
     for i in (1, 2, 3):
         replay.player.step(1)
@@ -93,8 +93,8 @@ def test_steps_go_through_every_image_and_back(replay, frames, qtbot):
     qtbot.waitUntil(lambda: shown(replay) == frames[0].t, timeout=10_000)
 
 
-def test_a_paused_replay_shows_the_place_it_is_sent_to(replay, frames, qtbot):
-    """It stands there to the microsecond, with the image that was the last one then."""
+def test_a_paused_replay_seeks_exactly(replay, frames, qtbot):
+    """Its time is exact to the microsecond, with the last image up to then."""
     replay.player.seek(2.0)
     due = [f for f in frames if f.t_arrival - replay.start_t <= 2.0][-1]
     qtbot.waitUntil(lambda: shown(replay) == due.t, timeout=10_000)
@@ -105,7 +105,7 @@ def test_a_paused_replay_shows_the_place_it_is_sent_to(replay, frames, qtbot):
     assert not replay.player.playing
 
 
-HOLE = (1.0, 2.0)  # s without packets and estimates, while images go on
+HOLE = (1.0, 2.0)  # s without packets and estimates, while images continue
 
 
 @pytest.fixture(scope="session")
@@ -132,7 +132,7 @@ def holed_replay(holed, qtbot):
 
 
 def arrives(qtbot, engine, position):
-    """Send a paused replay there and wait until it shows that instant."""
+    """Seek a paused replay and wait until it shows that time."""
     engine.player.seek(position)
     qtbot.waitUntil(
         lambda: (
@@ -146,7 +146,7 @@ def arrives(qtbot, engine, position):
 
 @pytest.mark.parametrize(("position", "is_lost"), [(0.9, False), (1.5, True), (2.5, False)])
 def test_a_hole_in_the_recording_is_shown_as_lost(holed_replay, position, is_lost, qtbot):
-    """Wherever it was before; and never in the colour of what is measured."""
+    """From any earlier position; and never in the colour of measured points."""
     engine, seen = holed_replay.engine, moment(holed_replay.engine)
     model = HandSceneModel(holed_replay)
     for before in (0.8, 2.7):
@@ -181,7 +181,7 @@ def test_a_replay_that_plays_into_a_hole_loses_the_hand_and_finds_it_again(holed
 
 
 def in_bursts(estimates: list[Estimate], hole: tuple[float, float] | None) -> list[OfFile]:
-    """Every 0.3 s those before, as on an overloaded computer, with events between."""
+    """Every 0.3 s those before, as on an overloaded computer, with events in between."""
     out = []
     for t in np.arange(0.3, 3.0, 0.3):
         events = [OfFile("", Event(u, "note", "")) for u in (t - 0.2, t - 0.1)]
@@ -191,7 +191,7 @@ def in_bursts(estimates: list[Estimate], hole: tuple[float, float] | None) -> li
 
 
 @pytest.mark.parametrize(("hole", "found"), [(None, []), ((0.95, 1.15), [0.95]), ((1.2, 9), [1.2])])
-def test_estimates_that_are_late_make_no_hole(estimates, hole, found):
+def test_late_estimates_are_no_hole(estimates, hole, found):
     read = in_bursts(estimates, hole)
     ends = [r.message.t for r, before_hole in marked(read) if before_hole]
     assert ends == pytest.approx(found, abs=0.011)
@@ -206,7 +206,7 @@ def estimates(sessions) -> list[Estimate]:
     return [replace(one, t=float(t)) for t in np.arange(0.0, 3.0, 0.01)]
 
 
-def test_playing_stops_at_the_out_point_and_begins_again_at_the_in_point(replay, qtbot):
+def test_playing_stops_at_the_out_point_and_restarts_at_the_in_point(replay, qtbot):
     replay.player.set_range(1.6, 1.2)
     assert replay.player.range == (1.2, 1.6)
     replay.player.play(True)
@@ -217,7 +217,7 @@ def test_playing_stops_at_the_out_point_and_begins_again_at_the_in_point(replay,
     assert replay.player.position >= 1.2 - 1e-9
 
 
-def test_a_loop_goes_around(replay, qtbot):
+def test_a_loop_repeats(replay, qtbot):
     replay.player.set_range(1.0, 1.3)
     replay.player.set_loop(True)
     replay.player.set_speed(4.0)
@@ -231,7 +231,7 @@ def test_a_loop_goes_around(replay, qtbot):
     assert max(positions) <= 1.3 + 1e-6
 
 
-def test_speed_is_kept(replay, qtbot):
+def test_speed_is_accurate(replay, qtbot):
     replay.player.set_speed(0.5)
     replay.player.seek(0.5)
     replay.player.play(True)
@@ -239,7 +239,9 @@ def test_speed_is_kept(replay, qtbot):
     assert 0.5 < replay.player.position < 0.5 + 0.5 * 2.0
 
 
-def test_a_replay_leaves_out_damaged_messages_and_says_how_many(sessions, frames, tmp_path, qtbot):
+def test_a_replay_skips_damaged_messages_and_reports_their_number(
+    sessions, frames, tmp_path, qtbot
+):
     topics = ["/camera/left/blobs", "/camera/right/blobs", "/hand/right/keypoints"]
     engine = ReplayEngine(spoilt(sessions["chain"], tmp_path / "a.mcap", topics, cut_message))
     try:
@@ -259,7 +261,7 @@ def test_a_replay_leaves_out_damaged_messages_and_says_how_many(sessions, frames
         engine.close()
 
 
-def test_a_session_of_a_glove_alone_says_that_there_was_no_camera(sessions, tmp_path):
+def test_a_session_of_a_glove_alone_reports_that_there_was_no_camera(sessions, tmp_path):
     alone = tmp_path / "alone.mcap"
     simulate(alone, SimulateOptions(seed=3, duration=1.0, lenses="none"))
     for path, has_camera in ((alone, False), (sessions["vist"], True)):
@@ -283,14 +285,14 @@ def test_a_session_without_blobs_steps_by_estimates(sessions, qtbot):
         engine.close()
 
 
-def test_the_other_tracking_stands_beside_this_one(replay, sessions, frames, qtbot):
+def test_the_other_tracking_is_shown_next_to_this_one(replay, sessions, frames, qtbot):
     with SessionReader(sessions["vist"]) as reader:
         other = {round(m.t, 6): m for m in reader.messages((Estimate,))}
     assert replay.player.reference("right") is None
     replay.player.set_reference(sessions["vist"])
     replay.player.seek(2.5)
     due = [f for f in frames if f.t_arrival - replay.start_t <= 2.5][-1]
-    player = replay.player  # it stands still where the image is there and none is due any more
+    player = replay.player  # it is still when the image is shown and no other is due
     qtbot.waitUntil(lambda: shown(replay) == due.t and player.images_due == 0, timeout=30_000)
     qtbot.waitUntil(lambda: replay.player.reference("right") is not None, timeout=10_000)
     reference = replay.player.reference("right")
@@ -303,7 +305,7 @@ def test_the_other_tracking_stands_beside_this_one(replay, sessions, frames, qtb
 
 
 @pytest.mark.parametrize(("compared", "shown"), [(True, None), (False, "the truth")])
-def test_where_the_other_tracking_has_no_hand_the_truth_does_not_stand_for_it(compared, shown):
+def test_the_truth_does_not_replace_a_missing_hand_of_the_other_tracking(compared, shown):
     player = SimpleNamespace(is_compared=compared, reference=lambda side: None)
     truth = SimpleNamespace(at=lambda t: "the truth")
     setup = replace(scripted_setup(ScriptedEngine()), player=player, live=None, truth=truth)
@@ -323,7 +325,7 @@ def test_the_truth_of_a_simulated_session_is_the_simulators(sessions):
     assert pose.keypoints == pytest.approx(true.keypoints, nan_ok=True)
 
 
-def test_notes_and_events_have_their_place_on_the_timeline(tmp_path, sessions):
+def test_notes_and_events_are_on_the_timeline(tmp_path, sessions):
     from dataclasses import replace
 
     from tracker.session.notes import numbered
@@ -350,7 +352,7 @@ def test_notes_and_events_have_their_place_on_the_timeline(tmp_path, sessions):
         setup.close()
 
 
-def test_what_is_replayed_happens_neither_in_the_log_nor_to_the_live_commands(
+def test_replayed_events_affect_neither_the_log_nor_live_commands(
     window, tmp_path, sessions, qtbot
 ):
     path = tmp_path / "noted.mcap"
@@ -378,7 +380,7 @@ def test_what_is_replayed_happens_neither_in_the_log_nor_to_the_live_commands(
 
 
 class Held:
-    """A player that stands where it was sent, with these notes (s)."""
+    """A player at the requested time, with these notes (s)."""
 
     duration, range, playing = 10.0, (0.0, 10.0), False
 
@@ -393,7 +395,7 @@ class Held:
         pass
 
 
-def test_one_jumps_from_note_to_note(qtbot):
+def test_jumping_from_note_to_note(qtbot):
     bar = TransportBar()
     qtbot.addWidget(bar)
     player = Held([2.0, 5.0, 5.3, 8.0])
@@ -422,7 +424,7 @@ def test_a_gesture_is_no_note_on_the_timeline_and_no_line_in_the_log(qtbot):
 
 
 class TestImagesAndBlobs:
-    """What is seen where images and blobs come in either order, or one of them is missing."""
+    """The display for images and blobs in either order, or with one of them missing."""
 
     @staticmethod
     def image(t: float) -> StereoFrame:
@@ -432,7 +434,7 @@ class TestImagesAndBlobs:
     def blobs(t: float) -> BlobFrame:
         return BlobFrame(t, t, (), None, None)
 
-    def test_blobs_that_come_before_their_image_are_shown_with_it(self):
+    def test_blobs_before_their_image_are_shown_with_it(self):
         moment = ReplayMoment(3, has_images=True)
         for t in (1.0, 1.1):
             moment.take(self.blobs(t))
@@ -441,7 +443,7 @@ class TestImagesAndBlobs:
             assert moment.latest_frame()[0].left is not None
             assert moment.latest_frame()[0].t == moment.latest_frame()[1].t == t
 
-    def test_blobs_whose_image_was_left_out_do_not_blacken_what_is_seen(self):
+    def test_blobs_of_a_dropped_image_do_not_blank_the_display(self):
         moment = ReplayMoment(3, has_images=True)
         moment.take(self.image(1.0))
         moment.take(self.blobs(1.0))
@@ -464,8 +466,8 @@ class TestImagesAndBlobs:
         assert list(pairs(messages)) == pytest.approx([1.01, 1.1])
 
 
-def test_a_replay_tells_which_patch_is_which_marker():
-    """By a hand that is 4 mm and 3 degrees off the simulated one, as a tracked one is."""
+def test_a_replay_labels_patches_with_their_markers():
+    """With a hand that is 4 mm and 3 degrees off the simulated one, like a tracked one."""
     hand, glove, _ = models()
     scene = simulation().scene
     matcher, matched, right = MarkerMatcher(hand, glove, scene.rig), 0, 0
@@ -487,7 +489,7 @@ def test_a_replay_tells_which_patch_is_which_marker():
     assert right / matched > 0.95
 
 
-def test_nothing_is_matched_of_an_image_without_a_tracked_hand(sessions):
+def test_nothing_is_labelled_in_an_image_without_a_tracked_hand(sessions):
     with SessionReader(sessions["chain"]) as reader:
         info = reader.info
         frame = next(iter(reader.messages((BlobFrame,))))

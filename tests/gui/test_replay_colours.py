@@ -1,4 +1,4 @@
-"""The colours panel on a session whose colours followed the light: those of the instant shown."""
+"""The colours panel on a session whose colours followed the light: those of the displayed time."""
 
 import dataclasses
 
@@ -25,7 +25,7 @@ def event_of(t: float, profile: ColourProfile) -> Event:
     return Event(t, KIND, "", {"colours": profile_to_toml(profile)})
 
 
-def test_colours_of_an_instant_are_the_last_that_were_told_before() -> None:
+def test_colours_at_a_time_are_the_last_reported_before() -> None:
     events = [
         (2.0, event_of(2.0, moved(20))),
         (1.0, event_of(1.0, moved(10))),
@@ -40,7 +40,7 @@ def test_colours_of_an_instant_are_the_last_that_were_told_before() -> None:
     assert colours.at(7.0) == moved(20)
 
 
-def test_colours_that_cannot_be_read_or_are_of_another_glove_change_nothing() -> None:
+def test_unreadable_colours_or_those_of_another_glove_are_ignored() -> None:
     fewer = dataclasses.replace(FIRST, hues=FIRST.hues[:2])
     events = [
         (1.0, event_of(1.0, moved(10))),
@@ -69,7 +69,7 @@ def followed(tmp_path):
     return path
 
 
-def test_the_panel_shows_the_colours_of_the_instant_and_leaves_the_users_alone(
+def test_the_panel_shows_the_colours_of_the_displayed_time_and_keeps_the_users(
     window, followed, qtbot
 ):
     setup = open_replay(followed, lambda *_: None)

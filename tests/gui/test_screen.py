@@ -1,4 +1,4 @@
-"""A machine without a screen."""
+"""A computer without a screen."""
 
 import signal
 import socket
@@ -39,12 +39,12 @@ LISTENING = {"/tmp/.X11-unix/X0", ("there", 6010), "/run/user/1/wayland-0"}
         ({}, "darwin", True),
     ],
 )
-def test_a_screen_is_what_the_environment_names_and_answers(environment, system, there):
+def test_a_screen_is_named_in_the_environment_and_answers(environment, system, there):
     assert has_screen(environment, system, LISTENING.__contains__) is there
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="local sockets of X")
-def test_a_local_socket_answers_while_somebody_listens(tmp_path):
+def test_a_local_socket_answers_while_a_listener_exists(tmp_path):
     path = str(tmp_path / "X7")
     assert not answers(path)
     with socket.socket(socket.AF_UNIX) as server:
@@ -55,7 +55,7 @@ def test_a_local_socket_answers_while_somebody_listens(tmp_path):
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="others always have one")
-def test_the_window_says_that_there_is_no_screen():
+def test_the_window_reports_a_missing_screen():
     done = subprocess.run(
         [sys.executable, "-m", "app"],
         cwd=ROOT,
@@ -70,7 +70,7 @@ def test_the_window_says_that_there_is_no_screen():
 
 @pytest.fixture
 def handlers():
-    """Of the signals that end a program, put back afterwards."""
+    """Handlers of the signals that end a program, restored afterwards."""
     before = {name: signal.getsignal(getattr(signal, name)) for name in ENDS}
     yield
     for name, handler in before.items():
@@ -78,8 +78,8 @@ def handlers():
 
 
 @pytest.mark.parametrize("name", ENDS)
-def test_a_signal_closes_the_window_but_never_amid_other_work(qtbot, handlers, name):
-    """What closes takes locks which the work that is interrupted may hold."""
+def test_a_signal_closes_the_window_but_never_during_other_work(qtbot, handlers, name):
+    """Closing takes locks that the interrupted work may hold."""
     busy, closed = threading.Lock(), []
 
     class Window(QWidget):

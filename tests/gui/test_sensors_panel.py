@@ -1,4 +1,4 @@
-"""The sensors in the real window: which curves, what the cursor reads, how the glove is."""
+"""The sensors in the real window: curves, cursor readings, the glove's status."""
 
 import dataclasses
 
@@ -23,12 +23,12 @@ def sensors(live, qtbot):
 
 
 def point(plot, t: float) -> None:
-    """Hold the pointer over an instant."""
+    """Move the pointer over a time."""
     box = plot.plot.plotItem.vb
     plot.plot.scene().sigMouseMoved.emit(box.mapViewToScene(QPointF(t, 0.0)))
 
 
-def test_the_imu_and_its_axes_are_chosen(sensors, engine):
+def test_the_imu_and_its_axes_are_selected(sensors, engine):
     sensors.choice.setCurrentIndex(3)
     sensors.refresh(sensors.host.snapshot())
     _, y = sensors.plots["gyro"].curves[1].getData()
@@ -39,7 +39,7 @@ def test_the_imu_and_its_axes_are_chosen(sensors, engine):
     assert sensors.plots["gyro"].curves[0].isVisible()
 
 
-def test_the_cursor_reads_what_stands_under_it(sensors, engine):
+def test_the_cursor_reads_the_values_below_it(sensors, engine):
     samples = engine.recent_imu()
     then = samples[-51]
     at = then.t - samples[-1].t
@@ -72,7 +72,7 @@ def test_the_angles_of_a_finger_scroll(sensors, engine, qtbot):
     assert t[-1] == 0.0 and t[-3] == pytest.approx(-4 / 30, abs=1e-3)
 
 
-def test_paused_curves_stay_and_can_be_read(sensors, engine):
+def test_paused_curves_are_still_and_readable(sensors, engine):
     sensors.hold.click()
     before = sensors.plots["gyro"].curves[0].getData()[1].copy()
     engine.frame = 60
@@ -82,7 +82,7 @@ def test_paused_curves_stay_and_can_be_read(sensors, engine):
     assert sensors.figures.text().startswith("-0.2")
 
 
-def test_a_silent_imu_is_named(sensors, engine, monkeypatch):
+def test_an_imu_without_data_is_named(sensors, engine, monkeypatch):
     samples = engine.recent_imu()
     valid = samples[0].valid.copy()
     valid[2] = False
@@ -94,7 +94,7 @@ def test_a_silent_imu_is_named(sensors, engine, monkeypatch):
     assert sensors.chips[1].text() == models()[1].imu_names[1].replace("_", " ")
 
 
-def test_the_gloves_figures_are_those_that_are_known():
+def test_the_gloves_known_figures_are_shown():
     samples = ScriptedEngine().recent_imu()
     values = {"imu_rate_hz": 99.96, "imu_lost": 1.0, "battery_v": 3.7, "temperature_c": 29.0}
     shown = glove_figures(Status(0.0, Tracking.TRACKING, values), samples)

@@ -54,8 +54,8 @@ def board_pair(k: int):
 
 
 class StillBoard:
-    """An `ImageInput`: every pose stands for two images. ``swapped`` exchanges the sides, of one
-    camera ``alone`` there is only the left one."""
+    """An `ImageInput`: every pose is shown for two images. ``swapped`` exchanges the sides, for a
+    single camera ``alone`` there is only the left one."""
 
     live, name, fps = True, "board", 0.0
 
@@ -63,7 +63,7 @@ class StillBoard:
         self._swapped, self._alone, self._k, self.closed = swapped, alone, 0, False
 
     def open(self) -> None:
-        """Nothing can be in the way."""
+        """Never fails."""
 
     def read(self):
         pair = board_pair(self._k // 2)
@@ -78,7 +78,7 @@ class StillBoard:
 
 @pytest.fixture
 def wizard(window, tmp_path):
-    """Opens the calibration as the window does, on a source of images; closes with the window."""
+    """Opens the calibration as the window does, with a source of images; closes with the window."""
 
     def make(source) -> StereoWizard:
         choices = [ImageChoice("Test camera", lambda _spec: source)]
@@ -141,7 +141,7 @@ def test_one_camera_becomes_a_calibration_too(wizard, qtbot, window):
     assert rig.one_camera and rig.left.K[0, 0] == pytest.approx(262.0, rel=0.01)
 
 
-def test_exchanged_cameras_are_refused_on_the_result_page(wizard, qtbot):
+def test_exchanged_cameras_are_rejected_on_the_result_page(wizard, qtbot):
     source = StillBoard(swapped=True)
     dialog = wizard(source)
     collect(dialog, qtbot, 8)
@@ -154,7 +154,7 @@ def test_exchanged_cameras_are_refused_on_the_result_page(wizard, qtbot):
     qtbot.waitUntil(lambda: source.closed, timeout=30_000)
 
 
-def test_a_baseline_that_is_known_finds_squares_of_another_size(wizard, qtbot):
+def test_a_known_baseline_detects_a_wrong_square_size(wizard, qtbot):
     dialog = wizard(StillBoard())
     dialog.board.baseline_mm.setValue(63.0)
     collect(dialog, qtbot, 8)
@@ -167,7 +167,7 @@ def test_a_baseline_that_is_known_finds_squares_of_another_size(wizard, qtbot):
     qtbot.waitUntil(dialog.next.isEnabled, timeout=30_000)
 
 
-def test_a_camera_that_does_not_open_is_told(wizard, qtbot):
+def test_a_camera_that_does_not_open_is_reported(wizard, qtbot):
     class Absent(StillBoard):
         def open(self) -> None:
             raise DeviceError("The camera 7 cannot be opened: it is not there.")
@@ -202,7 +202,7 @@ def test_the_board_is_saved_at_its_scale(wizard, tmp_path):
     assert "cannot be written" in dialog.board.trouble.text()
 
 
-def test_a_file_of_before_can_be_tried_or_used_and_a_bad_one_is_refused(wizard, tmp_path):
+def test_an_earlier_file_can_be_tested_or_used_and_a_bad_one_is_rejected(wizard, tmp_path):
     dialog, done = wizard(StillBoard()), []
     dialog.finished_with.connect(lambda path, real: done.append((path, real)))
     rig = small_rig()
@@ -223,7 +223,7 @@ def test_real_images_from_a_folder_are_split_into_views_and_check(wizard, qtbot,
     dialog.use_folder(data_folder / "stereo_chessboard")
     collect(dialog, qtbot, 8)
     dialog.next.click()
-    # eight pairs, of which every third is kept for the check, are too few
+    # eight pairs, of which every third is reserved for verification, are too few
     qtbot.waitUntil(lambda: "at least 8" in dialog.outcome.reasons.text(), timeout=30_000)
 
 
@@ -236,7 +236,7 @@ def test_a_folder_needs_as_many_left_as_right_images(tmp_path):
     assert split_fresh(range(7)) == ([0, 1, 3, 4, 6], [2, 5])
 
 
-def test_the_camera_in_use_gives_each_image_once(window):
+def test_the_camera_in_use_delivers_each_image_once(window):
     engine = ScriptedEngine()
     window.host.adopt(scripted_setup(engine))
     images = SessionImages(window.host)
@@ -251,7 +251,7 @@ def test_the_camera_in_use_gives_each_image_once(window):
 
 
 def test_a_camera_has_one_reader_the_wizard_or_the_session(window):
-    """Devices may be opened while the wizard looks at the camera that was chosen."""
+    """Devices may be opened while the wizard uses the selected camera."""
 
     class Own:
         name, live, fps, opened = "own", True, 4.0, 0
@@ -314,7 +314,7 @@ def test_the_window_opens_each_dialog_once_and_closes_them(window, qtbot):
     assert window.set_up.dialogs == {}
 
 
-def test_before_devices_are_open_the_list_stands_there_and_knows_the_calibration(
+def test_before_devices_are_open_the_list_is_there_with_the_calibration(
     window, qtbot, monkeypatch, tmp_path
 ):
     monkeypatch.setattr("app.engines.found_gloves.serial_ports", list)
@@ -328,7 +328,7 @@ def test_before_devices_are_open_the_list_stands_there_and_knows_the_calibration
     assert window.checklist.summary.text().startswith("1 of")
 
 
-def test_a_new_calibration_is_used_at_once_where_the_devices_are_in_use(
+def test_a_new_calibration_is_used_at_once_with_the_devices_in_use(
     window, store, qtbot, monkeypatch, tmp_path
 ):
     monkeypatch.setattr("app.engines.found_gloves.serial_ports", list)
@@ -355,7 +355,7 @@ def test_a_new_calibration_is_used_at_once_where_the_devices_are_in_use(
     qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
 
 
-def test_images_may_come_from_the_chosen_camera_all_others_and_a_simulation(window):
+def test_images_may_come_from_the_selected_camera_all_others_and_a_simulation(window):
     cameras = [CameraName(0, "Webcam", "/dev/video0"), CameraName(2, "ZED-M", "/dev/video2")]
     window.store.update(camera="name:ZED-M")
     titles = [c.title for c in image_choices(window.host, window.store.value, cameras)]
@@ -378,7 +378,7 @@ def test_images_may_come_from_the_chosen_camera_all_others_and_a_simulation(wind
 
 
 @pytest.mark.data
-def test_a_factory_file_of_a_zed_is_taken_as_it_is(wizard, data_folder):
+def test_a_zed_factory_file_is_accepted_unchanged(wizard, data_folder):
     dialog, done = wizard(StillBoard()), []
     dialog.finished_with.connect(lambda path, real: done.append((path, real)))
     folder = data_folder / "zed_calibration"

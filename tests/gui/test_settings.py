@@ -1,4 +1,4 @@
-"""The window's memory."""
+"""The stored settings of the window."""
 
 import json
 
@@ -16,7 +16,7 @@ from app.storage.settings import (
 from tracker.hand.names import SIDES
 
 
-def test_values_come_back(tmp_path):
+def test_values_are_restored(tmp_path):
     SettingsStore(tmp_path / "w.json").update(theme="dark", participant="Ö")
     again = SettingsStore(tmp_path / "w.json")
     assert (again.value.theme, again.value.participant) == ("dark", "Ö")
@@ -34,7 +34,7 @@ def test_values_come_back(tmp_path):
         ("\x00\xff", ""),
     ],
 )
-def test_an_unusable_file_is_kept_aside_in_words_and_defaults_serve(tmp_path, text, reason):
+def test_an_unusable_file_is_renamed_reported_and_replaced_by_defaults(tmp_path, text, reason):
     path = tmp_path / "w.json"
     path.write_text(text, "latin-1")
     store = SettingsStore(path)
@@ -57,7 +57,7 @@ def test_unknown_keys_are_dropped(tmp_path):
     assert SettingsStore(path).value.theme == "light"
 
 
-def test_settings_survive_an_upgrade_and_the_old_file_is_kept(tmp_path):
+def test_settings_survive_an_upgrade_and_the_old_file_is_preserved(tmp_path):
     path = tmp_path / "w.json"
     old = {"version": 1, "theme": "dark", "participant": "P07", "layout": "AAAA", "port": "/dev/x"}
     path.write_text(json.dumps(old))
@@ -71,12 +71,12 @@ def test_settings_survive_an_upgrade_and_the_old_file_is_kept(tmp_path):
     assert SettingsStore(path).value.participant == "P07"
 
 
-def test_every_earlier_version_has_its_way_to_today():
+def test_every_earlier_version_can_be_upgraded():
     assert sorted(MIGRATIONS) == list(range(1, VERSION))
     assert migrated({"version": 1}, 1)["version"] == VERSION
 
 
-def test_the_wearers_of_version_3_are_known_by_side(tmp_path):
+def test_the_wearers_of_version_3_are_assigned_to_sides(tmp_path):
     path = tmp_path / "w.json"
     old = {"version": 3, "wearer": "Anna", "left_wearer": "Bea", "demo_left_wearer": "Simulated"}
     path.write_text(json.dumps(old))
@@ -85,6 +85,6 @@ def test_the_wearers_of_version_3_are_known_by_side(tmp_path):
     assert [wearer_of(value, side, of_demo=True) for side in SIDES] == ["Simulated", ""]
 
 
-def test_recordings_go_where_the_user_said(tmp_path):
+def test_recordings_are_written_to_the_chosen_folder(tmp_path):
     assert sessions_folder(AppSettings(sessions_folder=str(tmp_path))) == tmp_path
     assert sessions_folder(AppSettings()).name == "Glovetrack"

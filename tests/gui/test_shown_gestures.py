@@ -1,4 +1,4 @@
-"""Gestures in the window: told beside the hand, forgotten where a replay goes elsewhere."""
+"""Gestures in the window: shown next to the hand, discarded when a replay seeks."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from tracker.simulation.scripted import Key
 HERE = (0.17, 0.0, 0.1)
 
 
-def test_each_gesture_has_its_words():
+def test_each_gesture_has_a_text():
     assert set(WORDS) == set(GESTURES)
 
 
-def test_what_the_hand_shows_is_told_at_the_windows_rate():
+def test_gestures_are_shown_at_the_windows_rate():
     shown = ShownGestures(scripted_setup(ScriptedEngine()))
     fists = estimates([Key(0.0, "fist", HERE), Key(1.0, "fist", HERE)], rate=30.0)
     lines = [shown.line(e) for e in fists]
@@ -28,7 +28,7 @@ def test_what_the_hand_shows_is_told_at_the_windows_rate():
     assert shown.line(None) == ""
 
 
-def test_the_hand_panel_tells_it(live):
+def test_the_hand_panel_shows_them(live):
     live.ticker.stop()
     live.hand._gestures.line = lambda estimate: "fist 97 %"
     live.hand.refresh(live.host.snapshot())

@@ -1,4 +1,4 @@
-"""Names of files, as a person says them."""
+"""Names of files in a readable form."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ ABBREVIATED = {"cmc", "mcp", "pip", "dip", "ip"}
 GERMAN = {"index": "Zeigefinger", "flexion": "Beugung", "tip": "Spitze", "red": "Rot"}
 
 
-def test_names_are_said_in_the_users_language_and_foreign_ones_stay():
+def test_names_are_translated_and_unknown_ones_unchanged():
     assert spoken("index_mcp_flexion") == "index mcp flexion"
     words.use(GERMAN.get)
     try:
@@ -24,7 +24,7 @@ def test_names_are_said_in_the_users_language_and_foreign_ones_stay():
         words.use(None)
 
 
-def test_all_words_of_the_hands_that_come_with_the_program_are_known():
+def test_all_words_in_names_of_included_hands_are_known():
     for path in sorted((folder("hands")).glob("*.toml")):
         parts = {part for name in load_hand(path).joint_names for part in name.split("_")}
         assert parts - set(WORDS) <= ABBREVIATED, path.name

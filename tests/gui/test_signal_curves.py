@@ -1,4 +1,4 @@
-"""Curves of signals: fed bit by bit, interrupted in holes, of hands and recordings."""
+"""Curves of signals: updated incrementally, interrupted in holes, of hands and recordings."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def imu_curves(imu: int, span: float):
     return {signal.name.split("/", 1)[1]: signal.key for signal in chosen}, curves
 
 
-def test_curves_are_in_the_units_of_people(setup):
+def test_curves_have_display_units(setup):
     samples = setup.tracked.recent_imu()
     keys, curves = imu_curves(2, 0.5)
     curves.take(Snapshot(setup, True, imu=samples))
@@ -46,8 +46,8 @@ def test_curves_are_in_the_units_of_people(setup):
     assert curves.curve(keys["accel/z"])[1][-1] == pytest.approx(samples[-1].accel[2, 2] / GRAVITY)
 
 
-def test_curves_taken_bit_by_bit_are_those_taken_at_once(setup):
-    """Live more packets come each time; a replay that goes back, or far on, has other ones."""
+def test_incremental_curves_equal_complete_ones(setup):
+    """Live data are appended; a replay that seeks has other ones."""
     samples, span = setup.tracked.recent_imu(), 0.3
     keys, bits = imu_curves(1, span)
     for end in (1, 2, 30, 31, len(samples), 40, len(samples)):
@@ -62,7 +62,7 @@ def test_curves_taken_bit_by_bit_are_those_taken_at_once(setup):
             assert (np.diff(t) > 0).all() and t[0] >= t[-1] - span - 1e-9
 
 
-def test_smoothed_curves_taken_bit_by_bit_are_those_taken_at_once(setup):
+def test_incremental_smoothed_curves_equal_complete_ones(setup):
     engine, column = setup.tracked, models()[0].angle_index["index_pip_flexion"]
     estimates = []
     for engine.frame in range(31, 90):
@@ -80,7 +80,7 @@ def test_smoothed_curves_taken_bit_by_bit_are_those_taken_at_once(setup):
     np.testing.assert_allclose(values[np.isin(t, u)], wanted[shared])
 
 
-def test_a_hole_interrupts_and_going_back_begins_again(setup):
+def test_a_hole_interrupts_and_seeking_back_restarts(setup):
     estimate = setup.tracked.latest_estimate()
     angle = angle_signal("right", 0, models()[0].joint_names[0])
     curves = LiveCurves(8.0)
@@ -133,7 +133,7 @@ def test_status_gestures_and_images_are_curves_of_their_own(setup):
     assert tracking.tolist() == [1.0, 1.0]
 
 
-def test_keys_are_unlike_and_both_hands_have_their_own(setup):
+def test_keys_are_unique_and_both_hands_have_their_own(setup):
     left = dataclasses.replace(setup, glove=dataclasses.replace(setup.glove, side="left"))
     both = dataclasses.replace(setup, others=(left,))
     found = signals(both, {"battery_v"})
@@ -143,7 +143,7 @@ def test_keys_are_unlike_and_both_hands_have_their_own(setup):
     assert all(s.label.startswith(("left ", "right ")) for s in found)
 
 
-def test_a_graph_holds_two_units_and_says_why_not_three(setup):
+def test_a_graph_has_at_most_two_units_and_gives_the_reason(setup):
     known = {s.name: s for s in signals(setup)}
     gyro, accel = known["dorsum/gyro/x"], known["dorsum/accel/x"]
     assert units_of([gyro, accel, gyro]) == ["°/s", "g"]
@@ -152,7 +152,7 @@ def test_a_graph_holds_two_units_and_says_why_not_three(setup):
     assert "°/s" in why and "mm" in why
 
 
-def test_settings_of_graphs_survive_and_nonsense_is_left_out():
+def test_graph_settings_survive_and_invalid_ones_are_dropped():
     graphs = [Graph(("a", "b"), 30.0, 5.0), Graph()]
     assert from_setting(to_setting(graphs)) == graphs
     odd = [{"signals": ["a", 3], "span": "x"}, "no", {"signals": 5, "replay_span": -1}]
@@ -160,7 +160,7 @@ def test_settings_of_graphs_survive_and_nonsense_is_left_out():
     assert from_setting(None) == []
 
 
-def test_tables_join_signals_of_other_instants(setup):
+def test_tables_join_signals_with_other_times(setup):
     known = {s.name: s for s in signals(setup)}
     gyro, angle = known["dorsum/gyro/x"], known["angle/index_pip_flexion"]
     curves = {

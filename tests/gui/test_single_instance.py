@@ -1,4 +1,4 @@
-"""A second start hands its session to the first window: two processes, as with a file manager."""
+"""A second start passes its session to the first window: two processes, as from a file manager."""
 
 import os
 import subprocess
@@ -38,7 +38,7 @@ sys.exit(main([]))
 
 @pytest.fixture
 def home(tmp_path, monkeypatch):
-    """Folders of settings and logs that nobody else uses."""
+    """Private folders of settings and logs."""
     environment = {
         **os.environ,
         "QT_QPA_PLATFORM": "offscreen",
@@ -77,7 +77,7 @@ def test_a_second_start_opens_its_file_in_the_first_window(home, session_file, q
     assert [p.name for p in logs.glob("*-*.log")] == []  # neither running nor crashed
 
 
-def test_what_a_crashed_window_left_behind_does_not_stop_the_next(qtbot):
+def test_leftovers_of_a_crashed_window_do_not_stop_the_next(qtbot):
     name = f"glovetrack-test-{uuid.uuid4().hex}"
     stale = Path(addresses(name)[0])
     if sys.platform != "win32":
@@ -91,7 +91,7 @@ def test_what_a_crashed_window_left_behind_does_not_stop_the_next(qtbot):
         stale.unlink(missing_ok=True)
 
 
-def test_a_window_beside_the_first_leaves_it_its_place(qtbot):
+def test_a_second_window_leaves_the_socket_to_the_first(qtbot):
     name = f"glovetrack-test-{uuid.uuid4().hex}"
     first, asked = Instance(name), []
     first.asked.connect(asked.append)
@@ -103,7 +103,7 @@ def test_a_window_beside_the_first_leaves_it_its_place(qtbot):
         first.close()
 
 
-def test_nonsense_on_the_socket_is_turned_away(qtbot):
+def test_invalid_data_on_the_socket_are_rejected(qtbot):
     name = f"glovetrack-test-{uuid.uuid4().hex}"
     instance, asked = Instance(name), []
     instance.asked.connect(asked.append)

@@ -1,4 +1,4 @@
-"""Small screens and large scales: panels give way, then scroll, and nothing is cut off."""
+"""Small screens and large scales: panels shrink, then scroll, and nothing is truncated."""
 
 import pytest
 from PySide6.QtCore import Qt
@@ -14,7 +14,7 @@ SIZES = [(800, 500), (960, 540), (1366, 768)]  # the middle one is Full HD at 20
 
 
 @pytest.mark.parametrize("size", SIZES)
-def test_every_panel_has_what_it_needs_or_scrolls(window, qtbot, size):
+def test_every_panel_has_its_required_size_or_scrolls(window, qtbot, size):
     window.host.adopt(scripted_setup(ScriptedEngine()))
     window.resize(*size)
     qtbot.wait(50)
@@ -43,7 +43,7 @@ def test_at_1366_by_768_the_images_and_the_hand_need_no_scrolling(window, qtbot)
         assert area.horizontalScrollBar().maximum() == 0, name
 
 
-def test_at_1366_by_768_sessions_stand_above_the_transport_of_a_replay(window, qtbot):
+def test_at_1366_by_768_sessions_are_above_the_transport_of_a_replay(window, qtbot):
     window.host.adopt(scripted_setup(ScriptedEngine()))
     window.resize(1366, 768)
     window.run_command("job_look")
@@ -54,7 +54,7 @@ def test_at_1366_by_768_sessions_stand_above_the_transport_of_a_replay(window, q
     assert window.library.table.viewport().height() >= 44  # a session
 
 
-def test_tabs_of_panels_show_their_whole_names_and_arrows_lead_to_the_rest(window, qtbot):
+def test_tabs_of_panels_show_their_full_names_and_arrows_lead_to_the_rest(window, qtbot):
     """At 150 % on a laptop's screen five names do not fit beside each other."""
     window.host.adopt(scripted_setup(ScriptedEngine()))
     window.resize(911, 464)
@@ -77,9 +77,7 @@ def test_tabs_of_panels_show_their_whole_names_and_arrows_lead_to_the_rest(windo
 
 @pytest.mark.parametrize("size", [(911, 464), (960, 500), (1280, 672), (1366, 720)])
 @pytest.mark.parametrize("job", ["look", "all"])
-def test_a_replay_has_a_session_and_its_transport_in_sight_on_every_screen(
-    window, qtbot, size, job
-):
+def test_a_replay_shows_a_session_and_its_transport_on_every_screen(window, qtbot, size, job):
     """1366 x 768 at 150 %, 1920 x 1080 at 200 %, 1280 x 720, 1366 x 768, less bar and frame."""
     window.host.adopt(scripted_setup(ScriptedEngine()))
     window.resize(*size)
@@ -102,7 +100,7 @@ def test_a_replay_has_a_session_and_its_transport_in_sight_on_every_screen(
 
 @pytest.mark.parametrize("size", [(911, 464), (960, 500), (1280, 672), (1366, 720)])
 @pytest.mark.parametrize("job", ["record", "all"])
-def test_record_is_in_sight_and_nothing_scrolls_sideways_on_every_screen(window, qtbot, size, job):
+def test_record_is_visible_and_nothing_scrolls_sideways_on_every_screen(window, qtbot, size, job):
     window.host.adopt(scripted_setup(ScriptedEngine()))
     window.resize(*size)
     QApplication.processEvents()
@@ -129,13 +127,13 @@ def test_nothing_in_the_tool_bar_moves_when_a_recording_begins(window, qtbot):
     assert [button.geometry() for button in buttons] == before
 
 
-def test_the_window_can_be_made_as_small_as_it_says(window):
+def test_the_window_can_be_shrunk_to_its_minimum(window):
     window.host.adopt(scripted_setup(ScriptedEngine()))
     hint = window.minimumSizeHint()
     assert hint.width() <= SMALLEST[0] and hint.height() <= SMALLEST[1]
 
 
-def test_colours_stand_in_one_column_where_there_is_no_room_for_two(window, qtbot):
+def test_colours_are_in_one_column_if_there_is_no_space_for_two(window, qtbot):
     window.host.adopt(scripted_setup(ScriptedEngine()))
     panel, dock = window.colours, window.docks["colours"]
 
@@ -149,7 +147,7 @@ def test_colours_stand_in_one_column_where_there_is_no_room_for_two(window, qtbo
         assert panel.width() <= width
 
 
-def test_a_text_that_wraps_is_given_its_height(qtbot):
+def test_a_wrapped_text_gets_its_height(qtbot):
     panel = QWidget()
     label = QLabel("many words " * 40)
     label.setWordWrap(True)
