@@ -27,6 +27,7 @@ from tracker.messages import (
     Message,
     Status,
     StereoFrame,
+    WristPose,
 )
 from tracker.sensors.camera import UnfitImages
 from tracker.sensors.camera_controls import CameraReport, Control, Locks
@@ -84,6 +85,9 @@ class CommandedHand(Protocol):
 
     def reset_pose(self) -> None:
         """Align the hand: the wearer holds it flat now."""
+
+    def place(self, pose: WristPose) -> None:
+        """Take the pose of a tracker on the hand, which another system measured."""
 
     def hold(self, pose: str) -> None:
         """The wearer holds this pose of `tracker.hand.poses.POSES` from now on."""

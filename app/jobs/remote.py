@@ -19,7 +19,7 @@ from app.storage.settings import SettingsStore
 from app.viewmodels.recording import RecordingPlan, duration_text
 from tracker.base.clock import monotonic
 from tracker.hand.names import CHAINS, SIDES
-from tracker.messages import Event
+from tracker.messages import Event, WristPose
 from tracker.streaming.connection import ConnectionSettings
 from tracker.streaming.remote.contacts import ContactBook, motor_of
 from tracker.streaming.remote.doors import Door
@@ -49,7 +49,7 @@ class RemoteAnswers(QObject):
             for side in ("", *SIDES)
             for finger in MOTORS
         }
-        self._felt = {"vibrate": self._vibrate, "contact": self._contact}
+        self._felt = {"vibrate": self._vibrate, "contact": self._contact, "wrist": self._place}
         self._contacts = ContactBook()
         self._look = QTimer(self)
         self._look.setInterval(LOOK_MS)
@@ -192,6 +192,16 @@ class RemoteAnswers(QObject):
             setup.connection.device.vibrate(MOTORS.index(request.finger), *motor_of(strongest))
         word = "touches" if request.strength > 0 else "lets go of"
         return Reply(True, request.do, f"The {request.finger} {word} {request.object or 'it'}.")
+
+    def _place(self, request: Request) -> Reply:
+        """Thread-safe. Passes on the pose of a tracker on a hand."""
+        pose, setup = request.data.get("pose"), self._host.setup
+        hands = setup.hands if setup is not None and self._host.running else ()
+        for hand in hands:
+            if isinstance(pose, WristPose) and hand.side == pose.side and hand.live is not None:
+                hand.live.hand.place(pose)
+                return Reply(True, request.do, "")
+        return Reply(False, request.do, "No glove of this side is running.")
 
     def _record(self, events: list[Event]) -> None:
         """Add events to the recording, if there is one."""

@@ -223,6 +223,8 @@ class ScriptedEngine:
     def command(self, work) -> None:
         self.commands.append("command")
 
+    def place(self, pose: object) -> None: ...
+
     def reset_pose(self) -> None:
         self.commands.append("reset_pose")
 

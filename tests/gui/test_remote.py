@@ -332,3 +332,24 @@ def test_wrong_usage_is_reported_as_by_every_command(words):
     with pytest.raises(SystemExit) as ended:
         main(["remote", *words])
     assert ended.value.code == 2
+
+
+def test_the_pose_of_a_tracker_reaches_the_hand_of_its_side(window, engine, qtbot):
+    from pythonosc.udp_client import SimpleUDPClient
+
+    placed = []
+    engine.place = placed.append
+    window.host.adopt(scripted_setup(engine, []))
+    kind = window.remote.kinds["room"]
+    assert kind.options().right == ""
+    window.remote.settings = window.remote.settings.changed(room_right="any", room_left="any")
+    port = open_at(window, qtbot, "room")
+    with SimpleUDPClient(HERE, port) as client:
+        client.send_message("/glovetrack/wrist", ["T", 0.1, 0.2, 1.3, 0.0, 0.0, 0.0, 1.0])
+        qtbot.waitUntil(lambda: bool(placed), timeout=10_000)
+    (pose,) = placed
+    assert pose.side == window.host.setup.side and pose.p_GT.tolist() == pytest.approx(
+        [0.1, 0.2, 1.3]
+    )
+    counts = window.remote.counts("room")
+    assert (counts.asked, counts.refused) == (2, 1), "there is no other hand"
