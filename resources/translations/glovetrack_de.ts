@@ -8340,6 +8340,21 @@ change {}: {}</source>
       <translation>SteamVR-Vibration (VMT)</translation>
     </message>
     <message>
+      <location filename="glovetrack.remote" />
+      <source>Wrist pose (VMC, OSC)</source>
+      <translation>Lage des Handgelenks (VMC, OSC)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>Wrist pose (OptiTrack)</source>
+      <translation>Lage des Handgelenks (OptiTrack)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>Wrist pose (LSL)</source>
+      <translation>Lage des Handgelenks (LSL)</translation>
+    </message>
+    <message>
       <location filename="glovetrack.formats" />
       <source>Table for spreadsheets and everything else (CSV)</source>
       <translation>Tabelle für Tabellenkalkulation und alles andere (CSV)</translation>
@@ -11078,6 +11093,56 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>The robot's process has ended. Start the robot again.</source>
       <translation>Der Prozess des Roboters ist beendet. Starten Sie den Roboter neu.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The movement is too short. Turn the hand for at least {least_s:.0f} s while both the glove and the tracking system measure it.</source>
+      <translation>Die Bewegung ist zu kurz. Drehen Sie die Hand mindestens {least_s:.0f} s lang, während Handschuh und Trackingsystem sie messen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove and the tracker do not move together (correlation {correlation:.2f}). Check that the tracker is on this hand and that it is tracked all the time.</source>
+      <translation>Handschuh und Tracker bewegen sich nicht gemeinsam (Korrelation {correlation:.2f}). Prüfen Sie, ob der Tracker an dieser Hand befestigt ist und durchgehend erfasst wird.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The hand was turned about one axis only. Turn it about all axes: palm up and down, fingers up and down, left and right.</source>
+      <translation>Die Hand wurde nur um eine Achse gedreht. Drehen Sie sie um alle Achsen: Handfläche nach oben und unten, Finger nach oben und unten, nach links und rechts.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The rotations of the glove and the tracker differ by {rms_deg:.0f}° (rms). Check that the tracker is fixed to the back of the hand and which axis of the room points up.</source>
+      <translation>Die Drehungen von Handschuh und Tracker weichen um {rms_deg:.0f}° (RMS) voneinander ab. Prüfen Sie, ob der Tracker fest auf dem Handrücken sitzt und welche Achse des Raums nach oben zeigt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The wrist moved by {rms_mm:.0f} mm (rms). Rest it on a point while you turn the hand.</source>
+      <translation>Das Handgelenk hat sich um {rms_mm:.0f} mm (RMS) bewegt. Stützen Sie es auf einem Punkt ab, während Sie die Hand drehen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} contains no poses of a tracker on the {side:word} hand.</source>
+      <translation>{file} enthält keine Lagen eines Trackers an der Hand {side:word}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} contains positions of a tracker on the {side:word} hand, but no rotations. They cannot be aligned.</source>
+      <translation>{file} enthält Positionen eines Trackers an der Hand {side:word}, aber keine Drehungen. Sie lassen sich nicht ausrichten.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove has no IMU on the segment {segment}. It cannot be aligned.</source>
+      <translation>Der Handschuh hat keine IMU am Segment {segment}. Er lässt sich nicht ausrichten.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} is not an alignment: {why}.</source>
+      <translation>{file} ist keine Ausrichtung: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The axis {axis} cannot point up. Choose y or z.</source>
+      <translation>Die Achse {axis} kann nicht nach oben zeigen. Wählen Sie y oder z.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
