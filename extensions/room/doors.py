@@ -9,7 +9,6 @@ import contextlib
 import socket
 import struct
 import threading
-import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 
@@ -106,7 +105,7 @@ class UdpPoses:
     def _run(self) -> None:
         with contextlib.closing(self._socket):
             while not self._ended.is_set():
-                self._between(time.monotonic())
+                self._between(monotonic())
                 try:
                     data, address = self._socket.recvfrom(MOST_BYTES)
                 except TimeoutError:
