@@ -49,7 +49,7 @@ class PoseTaker:
                 continue
             for message in self._placement.of(pose, t):
                 self.asked += 1
-                self._heard(peer)
+                self._note_peer(peer)
                 request = Request(REFUSED, message.t, data={"pose": message}, side=message.side)
                 self._answer(request).add_done_callback(self._count)
 
@@ -57,7 +57,7 @@ class PoseTaker:
         """Counts a packet that cannot be read."""
         self.refused += 1
 
-    def _heard(self, peer: str) -> None:
+    def _note_peer(self, peer: str) -> None:
         self._peers.pop(peer, None)
         self._peers[peer] = monotonic()
         while len(self._peers) > 8:
@@ -110,7 +110,7 @@ class UdpPoses:
                     data, address = self._socket.recvfrom(MOST_BYTES)
                 except TimeoutError:
                     continue
-                except OSError:  # such as that nobody listens where a request was sent to
+                except OSError:  # such as no process at the address of a request
                     continue
                 self._packet(data, f"{address[0]}:{address[1]}")
 
