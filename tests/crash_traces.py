@@ -1,4 +1,4 @@
-"""Where a hard crash of a test process happened, told at the end of the run.
+"""Where a hard crash of a test process happened, reported at the end of the run.
 
 A crashed worker of pytest-xdist is replaced and only its last test is named. Python's fault handler
 writes the stacks of all threads into a file per process; a summary shows those that are not empty.
@@ -25,7 +25,7 @@ class CrashTraces:
 
     @pytest.hookimpl(wrapper=True, tryfirst=True)
     def pytest_runtest_protocol(self, item: pytest.Item) -> Iterator[None]:
-        """Enabled anew for each test: some of them, and pytest, enable it for themselves."""
+        """Enabled again for each test: some of them, and pytest, enable it themselves."""
         faulthandler.enable(self._file)
         return (yield)
 

@@ -97,7 +97,7 @@ def _record(window: subprocess.Popen[bytes], port: int, watched: float, log: Pat
     time.sleep(RECORDED)
     ended = _asked(port, "stop")
     assert ended["ok"], ended
-    name = Path(str(ended["file"])).name  # where it lies is not told over the network
+    name = Path(str(ended["file"])).name  # its folder is not sent over the network
     (path,) = log.parent.rglob(name)
     _wait(lambda: not needs_recovery(path), STEP_TIMEOUT, "the end of the recording")
     return path

@@ -17,7 +17,7 @@ from tracker.vision.cpd import ExpectedMarkers, HuedPoints, translation_em
 SHIFT, TILT = 0.020, np.deg2rad(3.0)  # m, rad (root mean square): error of the prediction
 MARKERS, SEEN = 37, 13
 NOISE_C = np.array([0.0005, 0.0005, 0.002])  # m, of a triangulated marker
-COV_C = np.diag([1e-6, 1e-6, 9e-6])  # m², what the matcher is told of it
+COV_C = np.diag([1e-6, 1e-6, 9e-6])  # m², as given to the matcher
 
 
 class Frame(NamedTuple):

@@ -29,16 +29,16 @@ from app.platform.tasks import TaskOwner
 app = QApplication([])
 gone = []
 for k in range(20):
-    owner, told = TaskOwner(), []
+    owner, results = TaskOwner(), []
     owner.destroyed.connect(lambda: gone.append(k))
-    task = owner.run("a job", lambda progress: k, done=told.append)
+    task = owner.run("a job", lambda progress: k, done=results.append)
     task.join()  # that it has ended is on its way
     left = weakref.ref(task)
     del owner, task
     for _ in range(3):
         app.processEvents()
         app.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
-    assert told == [k]
+    assert results == [k]
     assert left() is None
 print(gone == list(range(20)))
 """

@@ -95,7 +95,7 @@ SPOKEN_TO_PROGRAMS = {
     "extensions/robot/window/command_latency.py",  # a measurement, run in a terminal
 }
 NOT_SHOWN = {
-    "simulated camera",  # what colours are kept by
+    "simulated camera",  # key of stored colours
     "none is open",  # for who reads a bug report
     "● 19 of about 9 ",  # the widest count, which a column is made for
     "Hz",  # a unit
@@ -112,7 +112,7 @@ PASS = {*SAYS, "debug", "info", "warning", "error", "exception", "setStyleSheet"
 def left_english(code: str) -> list[str]:
     """What reads like words for people and passes neither tr nor mark.
 
-    A single word in small letters cannot be told from a key, so it is let through.
+    A single word in small letters cannot be distinguished from a key, so it is let through.
     """
     tree = ast.parse(code)
     passed: set[int] = set()

@@ -184,7 +184,7 @@ def test_blob_counts_per_hue_are_means_over_both_images(view):
     ("found", "expected", "count", "warns"),
     [
         (4.0, 5.2, "4 of about 5", False),
-        (4.5, 4.4, "4 of about 4", False),  # halves are of two images: nobody sees half a marker
+        (4.5, 4.4, "4 of about 4", False),  # halves are of two images: no half marker is shown
         (3.0, 2.0, "3 of about 2", False),  # one more than is expected is no error
         (11.0, 4.0, "11 of about 4", True),
         (1.0, 4.0, "1 of about 4", True),

@@ -306,7 +306,7 @@ def test_where_there_is_no_room_a_field_is_left_out_and_not_cut(window, qtbot):
         bar.show_hands({"right": status, "left": status}, running=True)
         QApplication.processEvents()
         shown = [chip for chip in bar.chips.values() if chip.isVisible()]
-        assert shown and bar.chips["shed"].isVisible(), "what is amiss is said"
+        assert shown and bar.chips["shed"].isVisible(), "problems are reported"
         if width == 1366:
             read = (bar.tracking, bar.other_hand, *shown)
             qtbot.waitUntil(lambda read=read: not any(c._text.is_elided for c in read))
@@ -368,7 +368,7 @@ def test_after_closing_no_panel_shows_values_of_before(live, engine, qtbot):
 
 
 def test_the_wearer_is_saved_by_a_command_of_its_own(live, engine, monkeypatch):
-    """Three menus deep in a narrow panel nobody finds it."""
+    """Three menus deep in a narrow panel it is hard to find."""
     asked = []
     monkeypatch.setattr("app.panels.calibration.wearer_row.answer", lambda *a: asked.append(a))
     live.host.adopt(scripted_setup(engine))
