@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from scipy.special import gammainc
@@ -242,14 +242,20 @@ def summary(measured: Sequence[Measured]) -> list[SummaryRow]:
     names = list(dict.fromkeys([ALL, *(r.name for m in measured for r in m.points)]))
     for name in names:
         values = [_value(m.points, name) for m in measured]
-        rows.append(SummaryRow(f"RMSE {name}", "mm", random_intercept(values, people)))
+        rows.append(SummaryRow(f"RMSE {name}", "mm", _not_negative(values, people)))
     angles = [float(np.rad2deg(m.angle_rmse)) for m in measured]
-    rows.append(SummaryRow("RMSE joint angles", "deg", random_intercept(angles, people)))
+    rows.append(SummaryRow("RMSE joint angles", "deg", _not_negative(angles, people)))
     for name in dict.fromkeys(r.name for m in measured for r in m.scalars if r.is_angle):
         found = [next((r for r in m.scalars if r.name == name), None) for m in measured]
         bias = [float("nan") if r is None else float(np.rad2deg(r.agreement.bias)) for r in found]
         rows.append(SummaryRow(f"bias {name}", "deg", random_intercept(bias, people)))
     return rows
+
+
+def _not_negative(values: Sequence[float], people: Sequence[str]) -> Pooled:
+    """Of values that cannot be negative: nor is the interval, which is symmetric for few people."""
+    found = random_intercept(values, people)
+    return replace(found, ci=(max(found.ci[0], 0.0), found.ci[1]))
 
 
 def _value(rows: Sequence[PointRow], name: str) -> float:

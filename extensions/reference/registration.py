@@ -183,6 +183,7 @@ def _normal_equations(Rx: Array, B: Array, e: Array, w: Array) -> tuple[Array, A
 
 
 def _redundancy(e: Array) -> float:
-    """By how much residuals (N, K, 3) are more than they are independent."""
-    each = [effective_size(x) / max(int(np.isfinite(x).sum()), 1) for x in e.reshape(len(e), -1).T]
-    return 1.0 / max(float(np.median(each)), 1e-6)
+    """By how much residuals (N, K, 3) are more than they are independent; NaN ones do not count."""
+    known = [x for x in e.reshape(len(e), -1).T if np.isfinite(x).sum() >= _FEWEST]
+    each = [effective_size(x) / np.isfinite(x).sum() for x in known]
+    return 1.0 / float(np.median(each)) if each else 1.0

@@ -195,13 +195,17 @@ def test_pulses_of_a_session_and_of_a_c3d_file(wearer: Wearer, tmp_path: Path) -
     assert about.rigid.residual < 0.0025
 
 
-def test_a_keypoint_that_is_only_inferred_has_an_offset_too(wearer: Wearer, tmp_path: Path) -> None:
-    """Offsets of 5 mm; the median of 2000 values with 1 mm of noise has 0.03 mm."""
-    session = wearer.session(tmp_path / "s.mcap", 0.001, duration=20.0, inferred=("ring_tip",))
+def test_keypoints_that_are_only_inferred_have_offsets_too(wearer: Wearer, tmp_path: Path) -> None:
+    """Offsets of 5 mm; six keypoints determine the pose: 1 mm / √2000 ≈ 0.02 mm each, times the
+    lever of the others, which are up to twice as far away as the six are from one another."""
+    digits = ("thumb", "middle", "ring", "little")
+    inferred = [n for n in wearer.info.keypoint_names if n.split("_")[0] in digits]
+    assert len(inferred) == 16
+    session = wearer.session(tmp_path / "s.mcap", 0.001, duration=20.0, inferred=inferred)
     lab = replace(FAULTY, markers=markers(wearer))
     path = write_c3d(tmp_path / "l.c3d", wearer.info.keypoint_names, lab.record(wearer, 19.0)[1])
     about = import_reference(path, session, tmp_path / "out.mcap")
-    found, k = about.with_offsets, about.keypoints.index("ring_tip")
+    found, k = about.with_offsets, [about.keypoints.index(n) for n in inferred]
     assert np.abs(found.offsets - markers(wearer)).max() < 5e-4
     assert (
         np.isnan(found.offset_sd[k]).all() and np.isfinite(np.delete(found.offset_sd, k, 0)).all()
