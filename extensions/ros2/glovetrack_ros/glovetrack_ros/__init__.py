@@ -1,0 +1,1 @@
+"""Glovetrack in ROS 2."""
