@@ -62,7 +62,7 @@ def joint_state(estimate: dict[str, Any], at: dict[str, int]) -> dict[str, Any]:
         "header": header(at, ""),
         "name": list(known),
         "position": [float(a["value"]) for a in known.values()],
-        "velocity": [] if None in rates else [float(r) for r in rates],  # type: ignore[arg-type]
+        "velocity": [] if None in rates else [float(r) for r in rates],
         "effort": [],
     }
 
