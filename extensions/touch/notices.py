@@ -20,7 +20,22 @@ TEXTS = {
         "The sheet moved by {moved_mm:.1f} mm during the test. Tape it to the table and repeat."
     ),
     "touch.no_ruler": (
-        "The printed line of 100 mm was not measured. The scale of the camera is therefore taken "
+        "The printed line of 260 mm was not measured. The scale of the camera is therefore taken "
         "to be right."
     ),
+    "touch.moving_camera": "The touch test requires a camera that does not move.",
+    "touch.no_estimates": "The session contains no tracked hand. Track it first: glovetrack track.",
+    "touch.too_few": (
+        "{count} touches were found; the touch test requires {least} of at least one finger."
+    ),
+    "touch.missed": "No touch was found for {count} cues: {numbers}.",
+    "touch.pulp_far": (
+        "The contact of the {finger:word} is {off_mm:.1f} mm from the hand file's. Check the "
+        "lengths in the hand file and the glove file."
+    ),
+    "touch.other_cross": "Touch {number}: cross {touched} was touched instead of cross {asked}.",
+    "touch.cue": "Touch cross {target} with the {finger:word}: {how}.",
+    "touch.cue_pinch": "Pinch thumb and index finger 20 times.",
+    "touch.cue_still": "Hold the hand still for 10 seconds.",
+    "touch.ruler": "The printed line of 260 mm measures {length_mm:.1f} mm.",
 }

@@ -36,7 +36,7 @@ def _sheet_page(wide_mm: float, high_mm: float) -> Page:
         if cross.height == 0:
             _draw_cross(page, cross, left + cross.x * MM, top - cross.y * MM)
     _ridge_outline(page, left + TouchSheet.width * MM / 2, top - sheet.RIDGE_Y * MM)
-    _scale_line(page, left, foot - 7.0)
+    _scale_line(page, left, foot - 5.0)
     return page
 
 
@@ -61,7 +61,9 @@ def _scale_line(page: Page, x_mm: float, y_mm: float) -> None:
     page.axes.plot([x_mm, x_mm + length], [y_mm, y_mm], color=INK, linewidth=0.6)
     for end in (x_mm, x_mm + length):
         page.axes.plot([end, end], [y_mm - 2, y_mm + 2], color=INK, linewidth=0.6)
-    page.text(x_mm + length + 3, y_mm, "100 mm: measure this line; print at 100 %", 8, FAINT)
+    page.text(
+        x_mm + length / 2 - 25, y_mm - 3, "260 mm: measure this line; print at 100 %", 8, FAINT
+    )
 
 
 def _strip_page(wide_mm: float, high_mm: float) -> Page:

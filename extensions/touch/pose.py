@@ -97,8 +97,8 @@ def find_sheet(
 ) -> SheetPose:
     """The pose of a sheet that lies still, from all ``frames`` that show it.
 
-    ``ruler`` is the length (m) that the user measured of the line of 100 mm. Raises ConfigError
-    where no image shows the sheet.
+    ``ruler`` is the length (m) that the user measured of the printed line of 260 mm. Raises
+    ConfigError where no image shows the sheet.
     """
     finder = SheetFinder()
     looks = [(finder.find(f.left), finder.find(f.right)) for f in frames]
@@ -114,7 +114,7 @@ def sheet_pose(
     seen = [left for left, _ in looks if left is not None]
     if not seen:
         raise ConfigError(failure("touch.no_sheet"))
-    left = _median(list(seen), rig.left)
+    left = _median(seen, rig.left)
     right = {} if rig.one_camera else _median([c for _, c in looks if c is not None], rig.right)
     scale, scale_sd = _scale(left, right, rig)
     if ruler is not None:

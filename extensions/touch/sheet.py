@@ -28,7 +28,7 @@ RIDGE_LENGTH = 0.140
 RIDGE_Y = 0.068  # m, of the middle of its top
 TAB = 0.015  # m, on both sides, to tape it down
 CROSS = 0.010  # m, length of the lines
-RULER = 0.100  # m, the line that the user measures
+RULER = COLUMNS * SQUARE  # m, the line that the user measures: the width of the frame
 
 
 @dataclass(frozen=True)

@@ -44,12 +44,12 @@ def placed_sheet(seed: int, scale: float = 1.0) -> SheetPlace:
 def sheet_frames(
     place: SheetPlace, rig: StereoRig, count: int, seed: int, start: float = 0.0
 ) -> Iterator[StereoFrame]:
-    """``count`` exposures, ten a second from ``start`` (s) on."""
+    """``count`` exposures, 0.6 s apart from ``start`` (s) on."""
     spec = replace(BoardSpec(), columns=COLUMNS, rows=ROWS, square=SQUARE * place.scale)
     renderer = BoardRenderer(true_rig(rig), spec, printed=TouchSheet().image(SQUARE_PX))
     R_LG = rig.left.R.T @ rig.pose.R_GC.T
     pose = BoardPose(R_LG @ place.R_GS, R_LG @ (place.p_GS - rig.pose.p_GC))
     for k in range(count):
         left, right = renderer.pair(pose, rng_for(seed, "sheet image", k))
-        t = start + 0.1 * k
+        t = start + 0.6 * k
         yield StereoFrame(t=t, t_arrival=t + 0.04, left=left, right=right, index=k)

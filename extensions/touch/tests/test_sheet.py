@@ -106,10 +106,10 @@ def wrong_baseline(rig: StereoRig, factor: float) -> StereoRig:
 
 def test_with_a_ruler_print_and_camera_are_told_apart(rig: StereoRig) -> None:
     frames = list(sheet_frames(placed_sheet(5), rig, 1, 5))
-    camera_wrong = find_sheet(frames, wrong_baseline(rig, 1.01), ruler=0.100)
+    camera_wrong = find_sheet(frames, wrong_baseline(rig, 1.01), ruler=0.260)
     assert {n.code for n in camera_wrong.notices()} == {"touch.camera_scale"}
     small = list(sheet_frames(placed_sheet(5, 0.99), rig, 1, 5))
-    print_wrong = find_sheet(small, rig, ruler=0.099)
+    print_wrong = find_sheet(small, rig, ruler=0.2574)
     assert {n.code for n in print_wrong.notices()} == {"touch.print_scale"}
 
 
