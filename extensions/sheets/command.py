@@ -32,7 +32,6 @@ def print_sheets(args: argparse.Namespace) -> int:
     from extensions.sheets.markers import marker_pages
     from extensions.sheets.page import save_pages
     from extensions.sheets.wiring import wiring_page
-    from extensions.touch.page import touch_pages
     from tracker.base.files import check_target, whole_file
     from tracker.glove import library
 
@@ -43,6 +42,8 @@ def print_sheets(args: argparse.Namespace) -> int:
     elif args.what == "wiring":
         pages, title = [wiring_page(glove, args.paper)], f"Wiring of the glove {glove.name}"
     elif args.what == "touch":
+        from extensions.touch.page import touch_pages
+
         pages, title = touch_pages(args.paper), "Sheet of the touch test"
     else:
         pages, title = [board_page(args.paper)], "Calibration board"

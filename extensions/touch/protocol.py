@@ -10,6 +10,8 @@ from tracker.base.notices import notice
 from tracker.messages import Event
 
 KIND = "touch"
+KINDS = (KIND, "note")
+"""Kinds of events that carry cues: the window writes notes."""
 FINGERS = ("thumb", "index", "middle")
 HOW = ("slow", "fast", "turned_left", "turned_right", "covered", "away")
 """Ways to touch. *covered*: the other hand hides a part of the markers; *away*: after five seconds
@@ -87,7 +89,7 @@ def ruler_of(events: Iterable[Event]) -> float | None:
     found = None
     for event in events:
         length_mm = event.data.get("length_mm")
-        if event.kind == KIND and event.data.get("cue") == "ruler":
+        if event.kind in KINDS and event.data.get("cue") == "ruler":
             found = length_mm / 1000 if isinstance(length_mm, int | float) else found
     return found
 
@@ -99,7 +101,7 @@ def cues_of(events: Iterable[Event]) -> list[Cued]:
     done: dict[int, Cued] = {}
     for event in events:
         number, phase = event.data.get("number"), event.data.get("phase")
-        if event.kind != KIND or not isinstance(number, int):
+        if event.kind not in KINDS or "cue" not in event.data or not isinstance(number, int):
             continue
         if phase == "begin":
             cue = _cue(event, number)

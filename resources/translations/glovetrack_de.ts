@@ -8095,6 +8095,131 @@ change {}: {}</source>
       <translation>Latenz {} ms (99 %)</translation>
     </message>
     <message>
+      <location filename="extensions/touch/window/dialog.py" />
+      <source>Touch test</source>
+      <translation>Berührungstest</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/dialog.py" />
+      <source>Printed line of 260 mm, measured with a ruler:</source>
+      <translation>Gedruckte Linie von 260 mm, mit dem Lineal gemessen:</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/dialog.py" />
+      <source>Time on the cross</source>
+      <translation>Zeit auf dem Kreuz</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/dialog.py" />
+      <source>Cues carried out</source>
+      <translation>Ausgeführte Aufgaben</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/dialog.py" />
+      <source>&amp;Touched</source>
+      <translation>&amp;Berührt</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/dialog.py" />
+      <source>Accept the touch although it was not detected</source>
+      <translation>Die Berührung gelten lassen, obwohl sie nicht erkannt wurde</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/dialog.py" />
+      <source>S&amp;kip</source>
+      <translation>Ü&amp;berspringen</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/dialog.py" />
+      <source>&amp;Repeat the last one</source>
+      <translation>&amp;Letzte wiederholen</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/dialog.py" />
+      <source>The report is written</source>
+      <translation>Der Bericht ist fertig</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/dialog.py" />
+      <source>There is no report</source>
+      <translation>Es gibt keinen Bericht</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/dialog.py" />
+      <source>Writing the report…</source>
+      <translation>Der Bericht wird geschrieben…</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/dialog.py" />
+      <source>Touch the crosses of the printed sheet</source>
+      <translation>Berühren Sie die Kreuze auf dem gedruckten Blatt</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/dialog.py" />
+      <source>Lay the sheet before the camera, with your hand out of its view. The test takes about five minutes.</source>
+      <translation>Legen Sie das Blatt vor die Kamera; Ihre Hand darf nicht im Bild sein. Der Test dauert etwa fünf Minuten.</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/extension.py" />
+      <source>&amp;Touch test…</source>
+      <translation>Be&amp;rührungstest…</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/view_model.py" />
+      <source>Approach slowly.</source>
+      <translation>Nähern Sie sich langsam.</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/view_model.py" />
+      <source>Approach fast.</source>
+      <translation>Nähern Sie sich schnell.</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/view_model.py" />
+      <source>Turn the hand to the left.</source>
+      <translation>Drehen Sie die Hand nach links.</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/view_model.py" />
+      <source>Turn the hand to the right.</source>
+      <translation>Drehen Sie die Hand nach rechts.</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/view_model.py" />
+      <source>Hold a finger of the other hand over the back of the hand.</source>
+      <translation>Halten Sie einen Finger der anderen Hand über den Handrücken.</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/view_model.py" />
+      <source>First take the hand out of view for five seconds.</source>
+      <translation>Nehmen Sie die Hand zuerst fünf Sekunden lang aus dem Bild.</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/view_model.py" />
+      <source>Pinch thumb and index finger 20 times</source>
+      <translation>Führen Sie Daumen und Zeigefinger 20-mal zusammen</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/view_model.py" />
+      <source>About once a second.</source>
+      <translation>Etwa einmal pro Sekunde.</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/view_model.py" />
+      <source>Hold the hand still for ten seconds</source>
+      <translation>Halten Sie die Hand zehn Sekunden lang still</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/view_model.py" />
+      <source>Rest it on the table.</source>
+      <translation>Legen Sie sie auf den Tisch.</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/view_model.py" />
+      <source>Touch cross {} with the {}</source>
+      <translation>Berühren Sie Kreuz {} mit dem {}</translation>
+    </message>
+    <message>
       <location filename="glovetrack.engines" />
       <source>chain (cameras and IMUs, our own)</source>
       <translation>chain (Kameras und IMUs, das eigene)</translation>
@@ -11147,32 +11272,82 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>No image shows the sheet of the touch test. Print it with: glovetrack print touch. Record with images, with the whole sheet in view.</source>
-      <translation type="unfinished" />
+      <translation>Kein Bild zeigt das Blatt des Berührungstests. Drucken Sie es mit: glovetrack print touch. Nehmen Sie mit Bildern auf; das ganze Blatt muss im Bild sein.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>The printed squares measure {found_mm:.2f} mm instead of 20.00 mm ({percent:+.1f} %). Print at 100 %, not fitted to the page.</source>
-      <translation type="unfinished" />
+      <translation>Die gedruckten Quadrate messen {found_mm:.2f} mm statt 20,00 mm ({percent:+.1f} %). Drucken Sie mit 100 %, nicht an die Seite angepasst.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>The stereo camera measures the sheet {percent:+.1f} % off its size. Calibrate the camera.</source>
-      <translation type="unfinished" />
+      <translation>Die Stereokamera misst das Blatt mit einer Abweichung von {percent:+.1f} %. Kalibrieren Sie die Kamera.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>The sheet's corners differ by {fit_px:.1f} px from a flat sheet. Flatten the sheet, or calibrate the camera.</source>
-      <translation type="unfinished" />
+      <translation>Die Ecken des Blatts weichen um {fit_px:.1f} px von einem ebenen Blatt ab. Glätten Sie das Blatt oder kalibrieren Sie die Kamera.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>The sheet moved by {moved_mm:.1f} mm during the test. Tape it to the table and repeat.</source>
-      <translation type="unfinished" />
+      <translation>Das Blatt hat sich während des Tests um {moved_mm:.1f} mm bewegt. Kleben Sie es auf dem Tisch fest und wiederholen Sie den Test.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>The printed line of 100 mm was not measured. The scale of the camera is therefore taken to be right.</source>
-      <translation type="unfinished" />
+      <source>The printed line of 260 mm was not measured. The scale of the camera is therefore taken to be right.</source>
+      <translation>Die gedruckte Linie von 260 mm wurde nicht gemessen. Der Maßstab der Kamera gilt daher als richtig.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The touch test requires a camera that does not move.</source>
+      <translation>Der Berührungstest braucht eine Kamera, die sich nicht bewegt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The session contains no tracked hand. Track it first: glovetrack track.</source>
+      <translation>Die Aufnahme enthält keine verfolgte Hand. Verfolgen Sie sie zuerst: glovetrack track.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{count} touches were found; the touch test requires {least} of at least one finger.</source>
+      <translation>{count} Berührungen wurden gefunden; der Berührungstest braucht {least} von mindestens einem Finger.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No touch was found for {count} cues: {numbers}.</source>
+      <translation>Für {count} Aufgaben wurde keine Berührung gefunden: {numbers}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The contact of the {finger:word} is {off_mm:.1f} mm from the hand file's. Check the lengths in the hand file and the glove file.</source>
+      <translation>Die Kontaktstelle ({finger:word}) liegt {off_mm:.1f} mm neben der aus der Handdatei. Prüfen Sie die Längen in der Handdatei und der Handschuhdatei.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Touch {number}: cross {touched} was touched instead of cross {asked}.</source>
+      <translation>Berührung {number}: Kreuz {touched} wurde statt Kreuz {asked} berührt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Touch cross {target} with the {finger:word}: {how}.</source>
+      <translation>Berühren Sie Kreuz {target} ({finger:word}): {how}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Pinch thumb and index finger 20 times.</source>
+      <translation>Führen Sie Daumen und Zeigefinger 20-mal zusammen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Hold the hand still for 10 seconds.</source>
+      <translation>Halten Sie die Hand 10 Sekunden lang still.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The printed line of 260 mm measures {length_mm:.1f} mm.</source>
+      <translation>Die gedruckte Linie von 260 mm misst {length_mm:.1f} mm.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />

@@ -12,8 +12,10 @@ from app.engines.demo import demo_setup
 from app.engines.demo_camera import DemoChoice, demo_spec
 from app.jobs.export import ExportRequest
 from app.window.headless_report import wait_until
+from app.words import notice_text
 from extensions.conformance.window.view_model import CuePhase, StepCue
 from tests.gui.gui_fakes import models
+from tracker.base.notices import failure
 from tracker.hand.names import MARKED_KEYPOINTS
 from tracker.messages import Estimate, StereoFrame
 from tracker.session.reader import SessionReader
@@ -122,6 +124,19 @@ def test_the_wearer_follows_the_conformance_script(demo, qtbot, tmp_path):
     qtbot.waitUntil(lambda: dialog.run.label == "fist" and shown() < FIST, timeout=15_000)
     dialog.reject()
     qtbot.waitUntil(lambda: shown() > FIST, timeout=15_000)  # continues the earlier motion
+
+
+@pytest.mark.timeout(180)
+def test_the_touch_test_asks_for_its_sheet_before_it_records(demo, qtbot, tmp_path):
+    demo.recording.set_folder(tmp_path)
+    demo.run_command("touch_test")
+    dialog = demo.set_up.dialogs["touch_test"]
+    tracked = demo.host.setup.tracked
+    qtbot.waitUntil(lambda: tracked.latest_frame() is not None, timeout=30_000)
+    dialog.start()
+    assert dialog.how.text() == notice_text(failure("touch.no_sheet"))
+    assert demo.host.recording.request is None and not list(tmp_path.glob("*.mcap"))
+    dialog.reject()
 
 
 OPEN = 0.16  # m, of `reach`

@@ -1,0 +1,209 @@
+"""The dialog that leads through the touch test, records it and opens the report."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+from PySide6.QtCore import Qt, QTimer, QUrl
+from PySide6.QtGui import QDesktopServices
+from PySide6.QtWidgets import (
+    QDialog,
+    QDoubleSpinBox,
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.engines.engine import EngineSetup
+from app.engines.engine_host import EngineHost
+from app.platform.tasks import TaskOwner
+from app.storage.settings import SettingsStore
+from app.viewmodels.recording import RecordingPlan
+from app.words import error_text
+from extensions.touch.pose import SheetPose, find_sheet
+from extensions.touch.window.job import Written, touch_job
+from extensions.touch.window.view_model import TouchPhase, TouchRun, cue_words
+from tracker.base.clock import monotonic
+from tracker.base.errors import GlovetrackError
+from tracker.messages import Array, Validity
+
+TASK = "touch-test"
+TICK_MS = 33
+RULER_MM = 260.0
+
+
+class TouchDialog(QDialog):
+    """Records a session with a note at the beginning and the end of each cue."""
+
+    def __init__(
+        self,
+        host: EngineHost,
+        setup: EngineSetup,
+        store: SettingsStore,
+        tasks: TaskOwner,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._host, self._setup, self._store, self._tasks = host, setup, store, tasks
+        self._take: Path | None = None
+        self.run = TouchRun(host.notes.add)
+        self.setWindowTitle(self.tr("Touch test"))
+        self.setObjectName("touch_test")
+        self._lay_out()
+        self._timer = QTimer(self)
+        self._timer.setInterval(TICK_MS)
+        self._timer.timeout.connect(self.tick)
+        host.recording.finished.connect(self._recorded)
+        host.running_changed.connect(self._running_changed)
+        host.closed.connect(self.reject)
+        self.show_run()
+
+    def _lay_out(self) -> None:
+        self.words, self.how = QLabel(), QLabel()
+        for label, points in ((self.words, 26), (self.how, 15)):
+            label.setWordWrap(True)
+            label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+            label.setStyleSheet(f"font-size: {points}pt")
+        self.ruler = QDoubleSpinBox()
+        self.ruler.setRange(RULER_MM - 20, RULER_MM + 20)
+        self.ruler.setDecimals(1)
+        self.ruler.setSingleStep(0.1)
+        self.ruler.setValue(RULER_MM)
+        self.ruler.setSuffix(" mm")
+        form = QFormLayout()
+        form.addRow(self.tr("Printed line of 260 mm, measured with a ruler:"), self.ruler)
+        self.held, self.progress = QProgressBar(), QProgressBar()
+        self.held.setTextVisible(False)
+        self.held.setAccessibleName(self.tr("Time on the cross"))
+        self.progress.setFormat("%v / %m")
+        self.progress.setAccessibleName(self.tr("Cues carried out"))
+        column = QVBoxLayout(self)
+        for widget in (self.words, self.how):
+            column.addWidget(widget, 1)
+        column.addLayout(form)
+        for bar in (self.held, self.progress):
+            column.addWidget(bar)
+        column.addLayout(self._buttons())
+        self.resize(760, 420)
+
+    def _buttons(self) -> QHBoxLayout:
+        self.start_button = QPushButton(self.tr("&Start"))
+        self.start_button.clicked.connect(self.start)
+        self.accept_button = QPushButton(self.tr("&Touched"))
+        self.accept_button.setToolTip(self.tr("Accept the touch although it was not detected"))
+        self.accept_button.clicked.connect(lambda: self.run.accept(monotonic()))
+        self.skip_button = QPushButton(self.tr("S&kip"))
+        self.skip_button.clicked.connect(lambda: self.run.skip(monotonic()))
+        self.repeat_button = QPushButton(self.tr("&Repeat the last one"))
+        self.repeat_button.clicked.connect(lambda: self.run.repeat(monotonic()))
+        row = QHBoxLayout()
+        for button in (self.repeat_button, self.skip_button, self.accept_button, self.start_button):
+            row.addWidget(button)
+        return row
+
+    # --- the cues
+
+    def start(self) -> None:
+        """Find the sheet, start a recording and the first cue; reports why that is impossible."""
+        if self._host.recording.request is not None:
+            self._host.error.emit(self.tr("Stop the current recording first."))
+            return
+        try:
+            pose = self._find_sheet()
+            request = RecordingPlan(self._store).request_for(TASK)
+        except GlovetrackError as error:
+            self.how.setText(error_text(error))
+            return
+        if self._host.recording.begin(request):
+            self._take = request.path
+            self.run = TouchRun(self._host.notes.add)
+            self.run.start(monotonic(), pose, self.ruler.value() / 1000)
+            self._timer.start()
+            self.tick()
+
+    def _find_sheet(self) -> SheetPose:
+        latest = self._setup.tracked.latest_frame()
+        frames = [] if latest is None else [latest[0]]
+        return find_sheet(frames, self._setup.camera.rig, self.ruler.value() / 1000)
+
+    def tick(self) -> None:
+        """Refresh; called by the timer."""
+        self.run.tick(monotonic(), self._tip())
+        self.show_run()
+        if self.run.phase == TouchPhase.DONE:
+            self._timer.stop()
+            self._end_take()
+
+    def _tip(self) -> Array | None:
+        """(3,) m in G of the finger asked for."""
+        estimate, cue = self._setup.tracked.latest_estimate(), self.run.cue
+        if estimate is None or not cue.finger:
+            return None
+        names = self._setup.glove.keypoint_names(self._setup.hand)
+        row = names.index(f"{cue.finger}_tip")
+        p_G = estimate.keypoints[row]
+        lost = estimate.keypoint_state[row] == Validity.LOST or not np.isfinite(p_G).all()
+        return None if lost else p_G
+
+    def show_run(self) -> None:
+        """Show the current cue."""
+        phase = self.run.phase
+        running = phase == TouchPhase.RUNNING
+        if running:
+            words, how = cue_words(self.run.cue)
+            self.words.setText(words)
+            self.how.setText(how)
+        elif phase == TouchPhase.WAITING:
+            self.words.setText(self.tr("Touch the crosses of the printed sheet"))
+            self.how.setText(
+                self.tr("Lay the sheet before the camera, with your hand out of its view. The test "
+                        "takes about five minutes.")
+            )  # fmt: skip
+        self.held.setValue(round(100 * min(max(self.run.share, 0.0), 1.0)))
+        self.progress.setMaximum(len(self.run.cues))
+        self.progress.setValue(len(self.run.done))
+        self.start_button.setVisible(not running)
+        self.ruler.setEnabled(not running)
+        for button in (self.accept_button, self.skip_button, self.repeat_button):
+            button.setVisible(running)
+
+    # --- the report
+
+    def _end_take(self) -> None:
+        request = self._host.recording.request
+        if request is not None and request.path == self._take:
+            self.words.setText(self.tr("Writing the report…"))
+            self.how.setText("")
+            self._host.recording.end()
+
+    def _recorded(self, path: Path) -> None:
+        if path == self._take and self.run.done:
+            title = self.tr("Report of {}").format(path.name)
+            self._tasks.run(title, touch_job(path), done=self._written, failed=self._failed)
+
+    def _written(self, written: Written) -> None:
+        self.words.setText(self.tr("The report is written"))
+        self.how.setText(written.line)
+        QDesktopServices.openUrl(QUrl.fromLocalFile(str(written.page)))
+
+    def _failed(self, why: str) -> None:
+        self.words.setText(self.tr("There is no report"))
+        self.how.setText(why)
+
+    # --- the window
+
+    def _running_changed(self, on: bool) -> None:
+        if not on:
+            self.reject()
+
+    def done(self, result: int) -> None:
+        """Close; what was recorded so far is an ordinary recording."""
+        self._timer.stop()
+        self.run.cancel(monotonic())
+        self._end_take()
+        super().done(result)
