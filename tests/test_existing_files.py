@@ -133,6 +133,8 @@ CASES: dict[str, Words] = {
 }
 """Words of each command that writes, all its outputs in the folder ``f``."""
 ELSEWHERE = {("rig", "folder"), ("fill", "--out"), ("fill", "--json")}
+ELSEWHERE |= {("line-time", "--set"), ("line-time", "--json")}  # a swung hand
+ELSEWHERE |= {("evaluate shutter", "--json")}
 ELSEWHERE |= {("imu-noise", "--out"), ("imu-noise", "--json")}  # a minute at rest
 ELSEWHERE |= {(opens, "--out") for opens in ("window", "demo", "devices")}
 """Options whose tests are of their own, below."""

@@ -178,6 +178,8 @@ def find_devices(progress: JobProgress, settings: AppSettings) -> Found:
     )
     if not gloves and camera is None:
         raise DeviceError(" ".join(missing))
+    if rig is not None and camera is not None and camera.source.fps > 0:
+        rig = rig_of(settings.calibration, camera.source.fps)
     if gloves and not (rig and camera):
         missing.append(tr("The hand is tracked by its IMUs alone, so its position is unknown."))
     return Found(gloves, camera, rig, (*missing, *(found.remarks if found is not None else ())))
@@ -212,7 +214,7 @@ def _info(gloves: Sequence[HandGlove], pipeline: Pipeline, colours_text: str) ->
     )
 
 
-def rig_of(calibration: str) -> StereoRig:
+def rig_of(calibration: str, fps: float = FPS) -> StereoRig:
     """The calibration that the user chose, of a stereo or a single camera. Raises DeviceError."""
     if not calibration:
         raise DeviceError(
@@ -221,4 +223,4 @@ def rig_of(calibration: str) -> StereoRig:
                 "Set-up, Camera calibration."
             )
         )
-    return load_rig(Path(calibration), ImportForm(WIDTH, HEIGHT))
+    return load_rig(Path(calibration), ImportForm(WIDTH, HEIGHT, fps=fps))

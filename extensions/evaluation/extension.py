@@ -7,6 +7,7 @@ from extensions.evaluation.gestures.command import add_gestures, evaluate_gestur
 from extensions.evaluation.hands.command import add_hands, evaluate_hands
 from extensions.evaluation.inertial.commands import add_inertial, evaluate_inertial_command
 from extensions.evaluation.robot.command import add_robot, evaluate_robot
+from extensions.evaluation.shutter.command import add_shutter, evaluate_shutter
 from extensions.evaluation.vist.command import add_vist
 from extensions.evaluation.vist.command import run as evaluate_vist
 from tracker.base.command import Command
@@ -41,6 +42,12 @@ HANDS = Command(
     "and with each hand occluded by a hand without markers",
     evaluate_hands,
     add=add_hands,
+)
+SHUTTER = Command(
+    "evaluate shutter",
+    "track fast hands, and hands in front of a turning camera, with a rolling shutter",
+    evaluate_shutter,
+    add=add_shutter,
 )
 ROBOT = Command(
     "evaluate robot",

@@ -10142,7 +10142,17 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>A line time of {line_time_us:g} µs is not plausible: an image is read within 0.1 s.</source>
-      <translation type="unfinished" />
+      <translation>Eine Zeilenzeit von {line_time_us:g} µs ist nicht plausibel: Ein Bild wird innerhalb von 0,1 s ausgelesen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The recording does not show the line time. Swing the hand faster, in all directions.</source>
+      <translation>Die Aufnahme lässt die Zeilenzeit nicht erkennen. Schwingen Sie die Hand schneller und in alle Richtungen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Too few markers are visible to estimate the line time. Record a swinging hand for 20 s.</source>
+      <translation>Es sind zu wenige Marker sichtbar, um die Zeilenzeit zu schätzen. Nehmen Sie 20 s lang eine schwingende Hand auf.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -10247,7 +10257,7 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>{path}: the camera's line time is not a whole number of nanoseconds.</source>
-      <translation type="unfinished" />
+      <translation>{path}: Die Zeilenzeit der Kamera ist keine ganze Zahl von Nanosekunden.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />

@@ -150,9 +150,9 @@ def _calibration(rig: StereoRig) -> str:
     left, right = (Intrinsics(c.width, c.height, c.K, c.D) for c in (rig.left, rig.right))
     note = "of the simulated camera"
     if rig.one_camera:
-        return calibration_text(left, note=note)
+        return calibration_text(left, note=note, line_time=rig.line_time)
     T = np.array([-rig.baseline, 0.0, 0.0])
-    return calibration_text(left, right, np.eye(3), T, note)
+    return calibration_text(left, right, np.eye(3), T, note, rig.line_time)
 
 
 RIG = Command(

@@ -15,7 +15,7 @@ new ones write TY and TZ without the resolution's suffix.
 from __future__ import annotations
 
 import configparser
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import cv2
@@ -48,8 +48,24 @@ RESOLUTIONS = (
 )
 
 
-def load_zed(path: Path, height: int = 720, pose: CameraPose | None = None) -> StereoRig:
-    """The rig at one of the ZED's image heights; ``pose`` as in `rectified_rig`.
+LINE_TIMES = {30.0: 25.6e-6, 60.0: 15.7e-6}
+"""s per row at 720 rows, by images per second, as stated by Stereolabs for the ZED 2. The ZED and
+the ZED Mini have the same sensor."""
+GLOBAL_SHUTTER = ("LEFT_CAM_FHD1200", "LEFT_CAM_SVGA")
+"""Sections that only files of models with a global shutter (ZED X) contain."""
+
+
+def zed_line_time(height: int, fps: float) -> float:
+    """s a row of a ZED in a mode; 0 where it is not known."""
+    nearest = min(LINE_TIMES, key=lambda rate: abs(rate - fps))
+    return LINE_TIMES[nearest] if height == 720 and abs(nearest - fps) <= 1.0 else 0.0
+
+
+def load_zed(
+    path: Path, height: int = 720, pose: CameraPose | None = None, fps: float = 60.0
+) -> StereoRig:
+    """The rig at one of the ZED's image heights; ``pose`` as in `rectified_rig`. The line time is
+    that of the mode with ``fps`` images per second.
 
     Raises FileError where the file is no such calibration or ends too early.
     """
@@ -61,7 +77,10 @@ def load_zed(path: Path, height: int = 720, pose: CameraPose | None = None) -> S
     left = _zed_intrinsics(sections, "LEFT", resolution, path)
     right = _zed_intrinsics(sections, "RIGHT", resolution, path)
     R, T = _extrinsics(sections, resolution, path)
-    return rectified_rig(left, right, R, T, pose)
+    rig = rectified_rig(left, right, R, T, pose)
+    if any(sections.has_section(name) for name in GLOBAL_SHUTTER):
+        return rig
+    return replace(rig, line_time=zed_line_time(height, fps))
 
 
 def find_zed_file(serial: int, folders: list[Path]) -> Path | None:

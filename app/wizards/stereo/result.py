@@ -197,5 +197,5 @@ def save_rig(folder: Path, title: str, rig: StereoRig, note: str) -> Path:
     """Write a new file named by camera and date. Raises FileError."""
     path = free_path(folder / f"{slug(title)}-{datetime.now():%Y%m%d}.yml")
     cameras = extrinsics_of(rig)
-    save_calibration(path, cameras.left, cameras.right, cameras.R, cameras.T, note)
+    save_calibration(path, cameras.left, cameras.right, cameras.R, cameras.T, note, rig.line_time)
     return path

@@ -92,6 +92,12 @@ TEXTS = {
     "stereo.line_time": (
         "A line time of {line_time_us:g} µs is not plausible: an image is read within 0.1 s."
     ),
+    "line_time.not_shown": (
+        "The recording does not show the line time. Swing the hand faster, in all directions."
+    ),
+    "line_time.too_short": (
+        "Too few markers are visible to estimate the line time. Record a swinging hand for 20 s."
+    ),
     "stereo.matrices_differ": "The two rectified cameras must share one matrix P[:, :3].",
     "board.unknown_kind": 'A board is {kinds:or}, not "{kind}".',
     "board.square_count": (

@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import cv2
@@ -14,7 +14,7 @@ import numpy as np
 from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import write_with_folder
 from tracker.base.notices import notice
-from tracker.calibration.stereo.checks import require_plausible
+from tracker.calibration.stereo.checks import extrinsics_of, require_plausible
 from tracker.messages import Array
 from tracker.sensors.rig_files import load_opencv_stereo, load_zed, opencv_text
 from tracker.sensors.stereo_calibration import Intrinsics
@@ -31,6 +31,7 @@ class ImportForm:
     width: int = 1280
     height: int = 720
     unit: float = 1.0
+    fps: float = 60.0
 
 
 def save_calibration(
@@ -40,12 +41,13 @@ def save_calibration(
     R: Array | None = None,
     T: Array | None = None,
     note: str = "",
+    line_time: float = 0.0,
 ) -> None:
     """Writes `calibration_text`, replacing the file atomically.
 
     Raises FileError if the file cannot be written.
     """
-    write_with_folder(path, calibration_text(left, right, R, T, note))
+    write_with_folder(path, calibration_text(left, right, R, T, note, line_time))
 
 
 def calibration_text(
@@ -54,12 +56,15 @@ def calibration_text(
     R: Array | None = None,
     T: Array | None = None,
     note: str = "",
+    line_time: float = 0.0,
 ) -> str:
     """X_right = R X_left + T (m), or a single camera, as YAML that OpenCV can read."""
     storage = cv2.FileStorage(".yml", cv2.FILE_STORAGE_WRITE | cv2.FILE_STORAGE_MEMORY)
     storage.write("image_width", left.width)
     storage.write("image_height", left.height)
     storage.write("note", note)
+    if line_time:
+        storage.write("line_time", line_time)
     matrices = {"M1": left.K, "D1": left.D}
     if right is not None and R is not None and T is not None:
         matrices |= {"M2": right.K, "D2": right.D, "R": R, "T": T}
@@ -72,6 +77,13 @@ def calibration_text(
     return storage.releaseAndGetString()
 
 
+def rig_text(rig: StereoRig, note: str = "", line_time: float | None = None) -> str:
+    """`calibration_text` of a rig, with its own line time (s) or another one."""
+    cameras = extrinsics_of(rig)
+    line_time = rig.line_time if line_time is None else line_time
+    return calibration_text(cameras.left, cameras.right, cameras.R, cameras.T, note, line_time)
+
+
 def load_rig(path: Path, form: ImportForm | None = None) -> StereoRig:
     """The rig of a calibration file, checked.
 
@@ -80,7 +92,7 @@ def load_rig(path: Path, form: ImportForm | None = None) -> StereoRig:
     form = form or ImportForm()
     suffix = path.suffix.lower()
     if suffix == ZED_SUFFIX:
-        rig = load_zed(path, form.height)
+        rig = load_zed(path, form.height, fps=form.fps)
     elif suffix in SUFFIXES:
         rig = _load_opencv(path, form)
     else:
@@ -97,9 +109,21 @@ def _load_opencv(path: Path, form: ImportForm) -> StereoRig:
     # our own files are in metres, whatever ``form`` is for others
     unit = 1.0 if size else form.unit
     try:
-        return load_opencv_stereo(paths, width, height, unit, right_size=right_size)
+        rig = load_opencv_stereo(paths, width, height, unit, right_size=right_size)
+        return replace(rig, line_time=_number(path, "line_time"))
     except ConfigError as error:
         raise ConfigError(notice("stereo.file_refused", path=path, why=error)) from error
+
+
+def _number(path: Path, name: str) -> float:
+    """A number that the file contains, 0 where it does not."""
+    flags = cv2.FILE_STORAGE_READ | cv2.FILE_STORAGE_MEMORY
+    storage = cv2.FileStorage(opencv_text(path), flags)
+    try:
+        node = storage.getNode(name)
+        return float(node.real()) if node.isReal() or node.isInt() else 0.0
+    finally:
+        storage.release()
 
 
 def _size(path: Path, side: str = "") -> tuple[int, int] | None:

@@ -1,0 +1,1 @@
+"""Evaluation of cameras that expose one row after the other, with fast hands and a turning head."""

@@ -1,0 +1,144 @@
+"""The command ``evaluate shutter``: fast hands and a turning head in front of a rolling shutter."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from tracker.base.errors import ConfigError
+from tracker.base.terminal import add_json
+
+if TYPE_CHECKING:
+    from extensions.evaluation.shutter.trial import ShutterFigures
+
+LARGEST_RATIO = 1.03
+"""Goal: error with a rolling shutter relative to the error with a global one."""
+SPEEDS = (0.5, 1.0, 2.0)
+"""Peak speeds of the hand, m/s."""
+TURNING_DEG = 200.0
+"""Peak rate of the camera in the last row, °/s; the hand then moves with the first speed."""
+
+
+class ShutterRow(NamedTuple):
+    """Mean errors (mm) with a global shutter, with a rolling one whose line time is not known, and
+    with one whose line time is known."""
+
+    speed: float
+    turning_deg: float
+    global_mm: float
+    unknown_mm: float
+    known_mm: float
+
+    @property
+    def ratio(self) -> float:
+        return self.known_mm / self.global_mm
+
+
+def add_shutter(parser: argparse.ArgumentParser) -> None:
+    """Its arguments."""
+    parser.add_argument(
+        "--participants", type=int, default=4, metavar="N", help="number of people (default: 4)"
+    )
+    parser.add_argument(
+        "--seconds", type=float, default=20.0, metavar="S", help="duration of each (default: 20)"
+    )
+    parser.add_argument(
+        "--readout-ms",
+        type=float,
+        default=18.0,
+        metavar="MS",
+        help="time from the first row's exposure to the last one's (default: 18)",
+    )
+    parser.add_argument(
+        "--speeds",
+        type=float,
+        nargs="+",
+        default=list(SPEEDS),
+        metavar="M/S",
+        help="peak speeds of the hand (default: 0.5 1 2)",
+    )
+    parser.add_argument(
+        "--turning-deg",
+        type=float,
+        default=TURNING_DEG,
+        metavar="DEG",
+        help="peak rate of the camera in the last row, °/s (default: 200; 0: no such row)",
+    )
+    parser.add_argument("--engine", default="chain", help="chain or vist")
+    parser.add_argument("--images", action="store_true", help="render images and detect blobs")
+    parser.add_argument(
+        "--fps", type=float, default=60.0, help="frame rate of the camera, Hz (default: 60)"
+    )
+    parser.add_argument("--seed", type=int, default=0, help="random seed of the first person")
+    parser.add_argument(
+        "--processes", type=int, default=1, metavar="N", help="worker processes (default: 1)"
+    )
+    add_json(parser)
+
+
+def evaluate_shutter(args: argparse.Namespace) -> int:
+    """Track the people in front of three cameras each and print the figures."""
+    from extensions.evaluation.shutter.trial import ShutterCase, run_trial
+    from tracker.base.terminal import check_json, finish, progress_line
+    from tracker.base.workers import WorkItem, run_all, some_workers
+    from tracker.engine.kinds import ENGINES
+
+    check_json(args)
+    ENGINES.get(args.engine)  # raises ConfigError if the name is unknown
+    if args.participants < 1 or args.seconds < 5 or not 0 < args.readout_ms <= 50:
+        raise ConfigError(
+            "--participants must be at least 1, --seconds at least 5, and --readout-ms up to 50."
+        )
+    movements = [(speed, 0.0) for speed in args.speeds]
+    if args.turning_deg:
+        movements.append((args.speeds[0], args.turning_deg))
+    shutters = ((0.0, True), (args.readout_ms / 1000, False), (args.readout_ms / 1000, True))
+    how = args.engine, args.images, args.fps, args.seconds
+    cases = [
+        ShutterCase(speed, turning, readout, known, *how)
+        for speed, turning in movements
+        for readout, known in shutters
+    ]
+    seeds = range(args.seed, args.seed + args.participants)
+    tasks = [WorkItem(run_trial, (case, seed)) for case in cases for seed in seeds]
+    with some_workers(max(1, min(args.processes, len(tasks)))) as workers:
+        outcomes = run_all(tasks, workers, progress_line(f"tracking {len(tasks)} trials"))
+    failed = [outcome.error for outcome in outcomes if outcome.error]
+    if failed:
+        raise ConfigError(failed[0])
+    rows = rows_of(movements, [outcome.value for outcome in outcomes], args.participants)
+    found = summary(rows)
+    finish(args, found, table(rows))
+    return 0 if found["ok"] else 1
+
+
+def rows_of(
+    movements: Sequence[tuple[float, float]], figures: Sequence[ShutterFigures], people: int
+) -> list[ShutterRow]:
+    """The figures, in the order of the trials, as one row for each movement."""
+    errors = iter(f.error_mm for f in figures)
+    means = [sum(next(errors) for _ in range(people)) / people for _ in range(3 * len(movements))]
+    return [ShutterRow(*m, *means[3 * i : 3 * i + 3]) for i, m in enumerate(movements)]
+
+
+def summary(rows: Sequence[ShutterRow]) -> dict[str, Any]:
+    """JSON values: the rows, the largest ratio, and whether the goal is met."""
+    largest = max(row.ratio for row in rows)
+    return {
+        "rows": [row._asdict() | {"ratio": row.ratio} for row in rows],
+        "ratio": largest,
+        "ok": largest <= LARGEST_RATIO,
+    }
+
+
+def table(rows: Sequence[ShutterRow]) -> list[str]:
+    """The table as lines of text."""
+    head = f"{'hand m/s':>9}{'camera °/s':>12}{'global mm':>11}{'not corrected mm':>18}"
+    lines = [head + f"{'corrected mm':>14}{'ratio':>8}"]
+    for r in rows:
+        lines.append(
+            f"{r.speed:>9.1f}{r.turning_deg:>12.0f}{r.global_mm:>11.2f}{r.unknown_mm:>18.2f}"
+            f"{r.known_mm:>14.2f}{r.ratio:>8.3f}"
+        )
+    return lines

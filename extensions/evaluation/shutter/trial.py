@@ -1,0 +1,89 @@
+"""Tracks one simulated person with a camera whose rows are exposed one after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from extensions.evaluation.vist.trial import ImageSearch, models
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
+from tracker.hand.names import MARKED_KEYPOINTS
+from tracker.messages import BlobFrame, ImuSample, StereoFrame, Tracking
+from tracker.simulation.head import HeadParams
+from tracker.simulation.motion import Swinging
+from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.scenario import Simulation, SimulationParams
+from tracker.vision.rig import ideal_rig, with_readout
+
+SETTLED = 3.0  # s until which a wearer's hand is learned first
+POSTURE_EVERY = 3.0  # s
+EVERY = 4  # packets between compared instants
+
+
+@dataclass(frozen=True)
+class ShutterCase:
+    """A hand whose swings reach ``speed`` m/s before a camera whose turns reach ``turning_deg``
+    °/s; ``readout`` s from the first row to the last. ``engine`` gets the camera's line time where
+    it is ``compensated``."""
+
+    speed: float
+    turning_deg: float
+    readout: float
+    compensated: bool = True
+    engine: str = "chain"
+    images: bool = False
+    fps: float = 60.0
+    seconds: float = 20.0
+
+
+@dataclass(frozen=True)
+class ShutterFigures:
+    """Of one person in one case: mean error (mm) of the four keypoints in the camera's frame, share
+    of instants at which the hand is tracked, and the estimated time offset (ms)."""
+
+    seed: int
+    error_mm: float
+    tracked: float
+    offset_ms: float
+
+
+def simulation_of(case: ShutterCase, seed: int) -> Simulation:
+    """The person of a seed in a case; the same hand with every camera."""
+    hand, glove = models()
+    rig = with_readout(ideal_rig(), case.readout)
+    own = RandomPostures(hand, seed, POSTURE_EVERY, case.seconds + 0.1, camera=rig.pose)
+    motion = Swinging(own, case.speed, rig.pose) if case.speed else own
+    params = SimulationParams(head=HeadParams(turn_deg=case.turning_deg))
+    return Simulation(hand, glove, motion, seed, params, case.fps, rig)
+
+
+def run_trial(
+    case: ShutterCase, seed: int, progress: Callable[[float], None] = lambda share: None
+) -> ShutterFigures:
+    """Simulate and track; a task of `tracker.base.workers`."""
+    sim = simulation_of(case, seed)
+    rig = sim.rig if case.compensated else replace(sim.rig, line_time=0.0)
+    pipeline = Pipeline(sim.hand, sim.glove, rig, Settings(engine=case.engine))
+    search, estimates = ImageSearch(sim), []
+    for message in sim.messages(case.images):
+        if isinstance(message, ImuSample):
+            estimates.append(pipeline.feed_imu(message))
+            progress(message.t / case.seconds)
+        elif isinstance(message, BlobFrame):
+            pipeline.feed_frame(message)
+        elif isinstance(message, StereoFrame):
+            pipeline.feed_frame(search.blobs(message, pipeline))
+        if pipeline.take_results() and case.images and estimates:
+            search.look_ahead(pipeline, estimates[-1].t)
+    late = [e for e in estimates if e.t > SETTLED][::EVERY]
+    rows = [pipeline.keypoint_names.index(name) for name in MARKED_KEYPOINTS]
+    truths = sim.truths(np.array([e.t for e in late]))
+    given = np.array([e.keypoints[rows] for e in late])
+    true = np.array([truth.keypoints[rows] for truth in truths])
+    error = np.linalg.norm(given - true, axis=2)
+    tracked = np.mean([e.tracking == Tracking.TRACKING for e in late])
+    offset = pipeline.timing.offset.value
+    return ShutterFigures(seed, 1e3 * float(np.nanmean(error)), float(tracked), 1e3 * offset)
