@@ -44,7 +44,7 @@ def run(args: argparse.Namespace) -> int:
     # cases that Ctrl+C prevented have no trials
     results = [(case, trials) for case, trials in zip(cases, done_of, strict=True) if trials]
     table = sys.stderr if args.json == "-" else sys.stdout
-    _print_table(results, table)
+    _print_table(results, table, args.all_keypoints)
     rows = [row_of(case, trials) for case, trials in results]
     if args.json:
         write_json({"rows": rows}, args.json, args.force)
@@ -59,8 +59,11 @@ def run(args: argparse.Namespace) -> int:
     return 0 if done == wanted else 1
 
 
-def _print_table(results: Sequence[tuple[Any, Any]], table: TextIO) -> None:
-    """The paper's figures first, then a line per case."""
+def _print_table(
+    results: Sequence[tuple[Any, Any]], table: TextIO, all_keypoints: bool = False
+) -> None:
+    """The paper's figures first, then a line per case, and all keypoints where asked for."""
+    from extensions.evaluation.vist.agreement import lines_of
     from extensions.evaluation.vist.metrics import summarise
     from extensions.evaluation.vist.paper import PAPER
     from extensions.evaluation.vist.table import HEAD, line_of, paper_line
@@ -71,6 +74,9 @@ def _print_table(results: Sequence[tuple[Any, Any]], table: TextIO) -> None:
             print(paper_line(experiment), file=table)
     for case, trials in results:
         print(line_of(case, summarise(trials)), file=table)
+    for case, trials in results if all_keypoints else ():
+        print(f"\n{case.experiment}, {case.engine}: every keypoint", file=table)
+        print("\n".join(lines_of(trials)), file=table)
 
 
 def cases_of(args: VistOptions) -> list[Any]:
@@ -97,7 +103,7 @@ def cases_of(args: VistOptions) -> list[Any]:
                 case = replace(case, minutes=QUICK_MINUTES)
             files = tuple(map(str, args.motion))
             case = replace(case, wearer=str(args.wearer or ""), lenses=args.lenses)
-            case = replace(case, measured=args.measured and engine != "vist")
+            case = replace(case, measured=args.measured and engine != "vist", people=args.people)
             out.append(replace(case, motion_files=files, distractors=max(args.distractors, 0)))
     first = out[: len(engines)]
     guided = _guided(first[0]) if args.guided else []

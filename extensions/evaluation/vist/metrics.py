@@ -32,13 +32,25 @@ PCK_BOUNDS_MM = np.arange(0.0, 51.0)
 
 
 @dataclass(frozen=True, eq=False)
+class WholeHand:
+    """All K keypoints of a trial by ``names``: error (n, K) m, NaN where lost, sd (n, K) m per
+    coordinate, and state (n, K), a `Validity`."""
+
+    names: tuple[str, ...]
+    error: Array
+    sd: Array
+    state: IntArray
+
+
+@dataclass(frozen=True, eq=False)
 class Trial:
     """One participant tracked once, n evaluated instants; columns as in `MARKED_KEYPOINTS`.
 
     error (n, 4) m, NaN where lost; joints (n, 9) m, errors of `JOINTS`; angles (n, j) rad, errors
     of the joint angles of `DIGITS`; sd (n, 4) m, the engine's standard deviation per coordinate;
     seen (n,), markers matched in both images of the latest exposure; matches and wrong_matches
-    count blobs; core_s is the processor time of the tracker.
+    count blobs; core_s is the processor time of the tracker; ``whole``: all keypoints, where their
+    positions are evaluated in the world.
     """
 
     participant: int
@@ -53,6 +65,7 @@ class Trial:
     core_s: float
     duration: float
     angles: Array = field(default_factory=lambda: np.zeros((0, 0)))
+    whole: WholeHand | None = None
 
 
 @dataclass(frozen=True)

@@ -73,6 +73,20 @@ class VistOptions:
     measured: bool = field(
         default=False, metadata=argument("the hand lengths are known from a ruler (sd 2 mm)")
     )
+    people: str = field(
+        default="usual",
+        metadata=argument(
+            "end joints of the participants: close to the hand file's coupling, or as variable as "
+            "in recordings of real hands",
+            choices=("usual", "real"),
+        ),
+    )
+    all_keypoints: bool = field(
+        default=False,
+        metadata=argument(
+            "print error, standard deviation and their agreement for each keypoint of the hand"
+        ),
+    )
     experiments: tuple[str, ...] = _list(
         "free, object, device (from the paper) and head, a camera worn on the head (default: "
         "free,object,device)",

@@ -8,6 +8,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from extensions.evaluation.vist.agreement import agreement
 from extensions.evaluation.vist.cases import GUIDED, PAPERS_GLOVE, Case
 from extensions.evaluation.vist.metrics import Summary, Trial, summarise
 from extensions.evaluation.vist.paper import PAPER
@@ -32,6 +33,8 @@ def row_of(case: Case, trials: Sequence[Trial]) -> dict[str, Any]:
         "wearer": case.wearer,
         "lenses": case.lenses,
         "measured": case.measured,
+        "people": case.people,
+        "all_keypoints": [asdict(a) for a in agreement(trials)],
     }
     row.update(asdict(summary))
     row["paper"] = PAPER.get(case.experiment)
@@ -79,6 +82,8 @@ def _variant(case: Case) -> str:
         parts.append("one camera" if case.lenses == "one" else "no camera")
     if case.measured:
         parts.append("hand measured")
+    if case.people != "usual":
+        parts.append("real end joints")
     if case.guided:
         parts.append(GUIDED[case.guided])
     if case.wearer:

@@ -140,14 +140,14 @@ class SynergyParams:
     ``posture`` is the individual variation of a distal joint from posture to posture.
     """
 
-    ratio: float = 0.08
-    offset_deg: float = 4.0
+    ratio: float = 0.15
+    offset_deg: float = 5.0
     aside_deg: float = 3.0
-    posture_deg: float = 4.0
-    thumb_ratio: float = 0.20
+    posture_deg: float = 11.0
+    thumb_ratio: float = 0.40
     thumb_offset_deg: float = 9.0
     thumb_aside_deg: float = 5.0
-    thumb_posture_deg: float = 5.0
+    thumb_posture_deg: float = 15.0
 
 
 @dataclass(frozen=True)
