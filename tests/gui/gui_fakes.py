@@ -331,6 +331,8 @@ class MemoryRecorder:
 class ScriptedTruth:
     """The simulated hand."""
 
+    is_measured = False
+
     def at(self, t: float) -> ReferenceHand:
         true = truth_at(t)
         return ReferenceHand(true.keypoints, true.R_GB, true.p_GB)

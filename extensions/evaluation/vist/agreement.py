@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from extensions.evaluation.vist.metrics import Trial
 from tracker.messages import Array, Validity
@@ -19,7 +20,7 @@ from tracker.messages import Array, Validity
 @dataclass(frozen=True)
 class Agreement:
     """Of one keypoint in one state, "all" for both: share of the instants of the trials in it,
-    mean error and median standard deviation (mm), NEES per coordinate, and share within 3 sd."""
+    mean error and median sd (mm), NEES per coordinate, and share within 3 sd."""
 
     keypoint: str
     state: str
@@ -47,8 +48,9 @@ def agreement(trials: Sequence[Trial]) -> list[Agreement]:
     error = np.concatenate([w.error for w in whole])
     sd = np.concatenate([w.sd for w in whole])
     state = np.concatenate([w.state for w in whole])
+    columns = [(name, [k]) for k, name in enumerate(names)] + [("hand", list(range(len(names))))]
     out: list[Agreement] = []
-    for k, name in [*enumerate(names), (slice(None), "hand")]:
+    for name, k in columns:
         for label, states in STATES.items():
             chosen = np.isin(state[:, k], [int(s) for s in states]) & np.isfinite(error[:, k])
             if chosen.any():
@@ -56,7 +58,9 @@ def agreement(trials: Sequence[Trial]) -> list[Agreement]:
     return out
 
 
-def _agreement(name: str, label: str, chosen: Array, error: Array, sd: Array) -> Agreement:
+def _agreement(
+    name: str, label: str, chosen: NDArray[np.bool_], error: Array, sd: Array
+) -> Agreement:
     e, s = error[chosen], sd[chosen]
     return Agreement(
         keypoint=name,

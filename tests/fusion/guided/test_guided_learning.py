@@ -71,7 +71,8 @@ def learned(scene) -> Pipeline:
 
 
 def test_touching_pads_determine_the_bend_of_the_thumb(learned):
-    assert 0.15 * BENT < thumb_offset(learned) < BENT
+    """A part of it: the end joint also bends by itself (15°), which one pinch does not separate."""
+    assert 0.1 * BENT < thumb_offset(learned) < BENT
 
 
 def test_nothing_is_learned_without_pose_events(scene):
