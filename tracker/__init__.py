@@ -31,6 +31,9 @@ Threads and clocks
 Other programs import `glovetrack`, which is stable; what is here is internal.
 """
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
+CONTINUED = ("0.1.0",)
+"""Earlier versions whose recorded states this version continues from: its records still read them.
+Add a version when the next one is given its number, and remove those that cannot be continued."""
 GRAVITY = 9.80665
 """Standard gravity, m/s²."""

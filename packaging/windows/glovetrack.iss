@@ -1,7 +1,7 @@
 ; Inno Setup's script for Windows: an installer of dist\glovetrack. See packaging/README.md.
 
 #ifndef Version
-  #error "Give the version: iscc /DVersion=0.1.0 glovetrack.iss"
+  #error "Give the version: iscc /DVersion=0.2.0 glovetrack.iss"
 #endif
 
 [Setup]

@@ -9851,6 +9851,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>{file} was recorded by version {version}. Tracking continues from its recorded state; the results may differ slightly from those of that version.</source>
+      <translation>{file} wurde mit Version {version} aufgenommen. Das Tracking setzt beim aufgezeichneten Zustand fort; die Ergebnisse können geringfügig von denen jener Version abweichen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>The simulated camera has ended.</source>
       <translation>Die simulierte Kamera hat geendet.</translation>
     </message>

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tracker import __version__
+from tracker import CONTINUED, __version__
 from tracker.base.config import to_toml
 from tracker.base.errors import ConfigError
 from tracker.cli import main
@@ -124,6 +124,21 @@ def test_a_state_of_another_version_is_reported_as_not_used(tmp_path: Path) -> N
     assert len(words) == 1 and "recorded by version 0.0.9 in the middle of tracking" in words[0]
     new = recorded(tmp_path / "new.mcap", to_toml(Settings()), state=True)
     assert track(new, tmp_path / "b.mcap").notices == []
+
+
+def test_a_state_of_the_last_version_is_continued(tmp_path: Path) -> None:
+    """Bit for bit as this version's, with a note that the versions' results may differ."""
+    runs = {}
+    for version in (*CONTINUED, __version__):
+        session = recorded(tmp_path / f"{version}.mcap", to_toml(Settings()), version, state=True)
+        runs[version] = track(session, tmp_path / f"again_{version}.mcap")
+    for version in CONTINUED:
+        (note,) = runs[version].notices
+        assert note.code == "track.state_of_version" and note.values["version"] == version
+        a, b = tmp_path / f"again_{version}.mcap", tmp_path / f"again_{__version__}.mcap"
+        assert compare(a, b)["identical"]
+    without = recorded(tmp_path / "without.mcap", to_toml(Settings()), CONTINUED[0])
+    assert track(without, tmp_path / "c.mcap").notices == []
 
 
 def test_a_real_session_of_an_older_version_is_tracked(data_folder: Path, tmp_path: Path) -> None:

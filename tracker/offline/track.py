@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from tracker import __version__
+from tracker import CONTINUED, __version__
 from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import check_target, sha256
 from tracker.base.notices import Notice, notice, warning
@@ -209,7 +209,7 @@ def _goes_on(reader: SessionReader, options: TrackOptions) -> bool:
     others = (options.hand, options.glove, options.colours, options.wearer, options.hand_length)
     if any(others) or options.settings or not options.guided:
         return False
-    if reader.info.version != __version__ or _unusable_settings(reader):
+    if reader.info.version not in (__version__, *CONTINUED) or _unusable_settings(reader):
         return False
     return _settings(reader, options) == _settings(reader, TrackOptions())
 
@@ -310,9 +310,10 @@ def _unused_of_version(reader: SessionReader, options: TrackOptions) -> list[Not
             unused.append(warning("track.settings_unused_more", file=name, **many))
         else:
             unused.append(warning("track.settings_unused", file=name, settings=named))
-    if reader.has_start_state and (left_out or by != __version__):
-        version = by or "unknown"
-        unused.append(warning("track.state_unused", file=name, version=version))
+    if reader.has_start_state and (left_out or by not in (__version__, *CONTINUED)):
+        unused.append(warning("track.state_unused", file=name, version=by or "unknown"))
+    elif reader.has_start_state and by != __version__:
+        unused.append(notice("track.state_of_version", file=name, version=by))
     return unused
 
 

@@ -140,6 +140,10 @@ TEXTS = {
         "{file} was recorded by version {version} in the middle of tracking. The recorded"
         " tracking state was not used, so the first seconds may differ."
     ),
+    "track.state_of_version": (
+        "{file} was recorded by version {version}. Tracking continues from its recorded state; the "
+        "results may differ slightly from those of that version."
+    ),
     "simulation.camera_ended": "The simulated camera has ended.",
     "simulation.pose_shown": "The simulated wearer is asked for the pose {pose:word}.",
     "simulation.pose_over": "The simulated wearer is not asked for a pose any more.",
