@@ -39,7 +39,7 @@ NOT_WRITTEN = {
     *("--imu", "--joints", "--listen", "--live", "--motion", "--object", "--objects", "--photo"),
     *("--remote", "--remote-host", "--send", "--set", "--settings", "--stream", "--stream-host"),
     *("words", "--task", "--to", "--views", "--wearer", "--model", "--kinds", "--by", "--gaps"),
-    *("--folder", "--only"),
+    *("--folder", "--only", "reference", "--mapping", "--start", "--pulse", "--side"),
 }
 """Those that name what is read, devices, addresses, and other text."""
 
@@ -134,7 +134,10 @@ CASES: dict[str, Words] = {
 """Words of each command that writes, all its outputs in the folder ``f``."""
 ELSEWHERE = {("rig", "folder"), ("fill", "--out"), ("fill", "--json")}
 ELSEWHERE |= {("line-time", "--set"), ("line-time", "--json")}  # a swung hand
-ELSEWHERE |= {("evaluate shutter", "--json")}
+ELSEWHERE |= {("evaluate shutter", "--json"), ("evaluate touch", "--json")}  # minutes
+ELSEWHERE |= {("touch-test", "--output"), ("touch-test", "--json"), ("room align", "--out")}
+ELSEWHERE |= {("import-reference", "--output"), ("import-reference", "--json")}  # longer movement
+ELSEWHERE |= {("accuracy", "--output"), ("accuracy", "--json")}
 ELSEWHERE |= {("imu-noise", "--out"), ("imu-noise", "--json")}  # a minute at rest
 ELSEWHERE |= {(opens, "--out") for opens in ("window", "demo", "devices")}
 """Options whose tests are of their own, below."""

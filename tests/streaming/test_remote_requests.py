@@ -159,9 +159,14 @@ def test_pending_requests_and_known_clients_are_bounded() -> None:
 def test_nothing_is_open_by_default() -> None:
     settings = ConnectionSettings()
     assert not any(map(settings.is_on, door_kinds()))
-    assert list(door_kinds()) == ["udp", "osc", "websocket", "lsl", "vmt"]
+    own, added = ["udp", "osc", "websocket"], ["lsl", "vmt", "room", "natnet", "lslpose"]
+    assert list(door_kinds()) == [*own, *added]
     for name, kind in door_kinds().items():
-        assert settings.options(kind).host == "127.0.0.1", name
+        options = settings.options(kind)
+        if name == "lslpose":  # LSL finds streams by itself: of this computer
+            assert not options.network
+        else:
+            assert options.host == "127.0.0.1", name
     settings = with_doors(settings, "udp, WebSocket:9000", "0.0.0.0")
     assert settings.is_on("udp") and settings.is_on("websocket")
     options = settings.options(DOORS.get("websocket"))

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from extensions.evaluation.vist.cases import Case
-from extensions.evaluation.vist.metrics import Trial
+from extensions.evaluation.vist.metrics import Trial, WholeHand
 from extensions.evaluation.vist.run import run_cases
 from extensions.evaluation.vist.stored import PROGRAM, StoredTrials
 from tracker.base.errors import ConfigError, FileError
@@ -33,8 +33,13 @@ class Participants:
         return Trial(
             participant=participant, hand_length=0.18, t=np.arange(7.0), error=error, sd=error,
             joints=rng.random((7, 9)), seen=np.arange(7), matches=5, wrong_matches=1,
-            core_s=0.25, duration=7.5,
+            core_s=0.25, duration=7.5, whole=whole(rng) if participant else None,
         )  # fmt: skip
+
+
+def whole(rng: np.random.Generator) -> WholeHand:
+    error, sd = rng.random((2, 7, 5))
+    return WholeHand(tuple("abcde"), error, sd, rng.integers(0, 3, (7, 5)))
 
 
 def run(
@@ -56,10 +61,17 @@ def test_a_run_that_was_ended_goes_on_where_it_stood(
     for case, trials in zip(CASES, second, strict=True):
         for participant, trial in enumerate(trials):
             expected = people(case, participant)
-            for field in fields(Trial):
-                value = getattr(trial, field.name)
-                np.testing.assert_array_equal(value, getattr(expected, field.name))
-                assert type(value) is type(getattr(expected, field.name))
+            assert_same_fields(trial, expected)
+
+
+def assert_same_fields(a: Trial | WholeHand, b: Trial | WholeHand) -> None:
+    for field in fields(a):
+        x, y = getattr(a, field.name), getattr(b, field.name)
+        assert type(x) is type(y)
+        if isinstance(x, WholeHand):
+            assert_same_fields(x, y)
+        else:
+            np.testing.assert_array_equal(x, y)
 
 
 def test_trials_of_another_case_are_not_taken(

@@ -20,12 +20,13 @@ import numpy as np
 import resources
 import tracker
 from extensions.evaluation.vist.cases import Case
-from extensions.evaluation.vist.metrics import Trial
+from extensions.evaluation.vist.metrics import Trial, WholeHand
 from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import sha256, slug, write_with_folder
 
 PROGRAM = "program.txt"
 CASE = "case"  # stored in the file with the fields of a trial
+WHOLE = "whole"  # the field of a trial whose parts are stored one by one
 READ = ("hands", "gloves", "colours")  # resources that trials depend on
 
 
@@ -49,17 +50,26 @@ class StoredTrials:
             return None
         try:
             with np.load(path, allow_pickle=False) as file:
-                values = {f.name: file[f.name] for f in fields(Trial)}
+                values = {f.name: file[f.name] for f in fields(Trial) if f.name != WHOLE}
+                parts = {f.name: file[f"{WHOLE}_{f.name}"] for f in fields(WholeHand)}
         except (OSError, ValueError, KeyError, zipfile.BadZipFile) as error:
             raise FileError(
                 f"The stored trial {path} is damaged. Delete it to compute it again."
             ) from error
-        return Trial(**{name: v if v.ndim else v.item() for name, v in values.items()})
+        names = tuple(map(str, parts.pop("names")))
+        whole = WholeHand(names, **parts) if names else None
+        return Trial(**{name: v if v.ndim else v.item() for name, v in values.items()}, whole=whole)
 
     def add(self, case: Case, trial: Trial) -> None:
         """Store a finished trial. Raises DiskError."""
         data = io.BytesIO()
-        values = {f.name: np.asarray(getattr(trial, f.name)) for f in fields(Trial)}
+        values = {
+            f.name: np.asarray(getattr(trial, f.name)) for f in fields(Trial) if f.name != WHOLE
+        }
+        whole = trial.whole or WholeHand((), *[np.zeros((0, 0))] * 3)
+        values |= {
+            f"{WHOLE}_{f.name}": np.asarray(getattr(whole, f.name)) for f in fields(WholeHand)
+        }
         np.savez_compressed(data, allow_pickle=False, **{CASE: np.array(_text(case)), **values})
         if not (self._folder / PROGRAM).is_file():
             write_with_folder(self._folder / PROGRAM, self._program)
