@@ -117,6 +117,17 @@ def test_a_mirrored_reference_is_recognised(wearer: Wearer, short: Path, tmp_pat
     assert not (tmp_path / "out.mcap").exists()
 
 
+def test_an_existing_file_is_not_replaced(wearer: Wearer, short: Path, tmp_path: Path) -> None:
+    _, x_L = FAULTY.record(wearer, 19.0)
+    path = write_c3d(tmp_path / "m.c3d", wearer.info.keypoint_names, x_L)
+    out = tmp_path / "out.mcap"
+    out.write_bytes(b"the user's own")
+    assert main(["import-reference", str(path), str(short), "-o", str(out)]) == 1
+    assert out.read_bytes() == b"the user's own"
+    assert main(["import-reference", str(path), str(short), "-o", str(out), "--force"]) == 0
+    assert out.read_bytes()[:5] == b"\x89MCAP"
+
+
 def test_a_reference_of_another_movement_is_refused(
     wearer: Wearer, short: Path, tmp_path: Path
 ) -> None:
