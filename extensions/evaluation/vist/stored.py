@@ -66,7 +66,8 @@ class StoredTrials:
         values = {
             f.name: np.asarray(getattr(trial, f.name)) for f in fields(Trial) if f.name != WHOLE
         }
-        whole = trial.whole or WholeHand((), *[np.zeros((0, 0))] * 3)
+        none = np.zeros((0, 0))
+        whole = trial.whole or WholeHand((), none, none, none.astype(np.int64))
         values |= {
             f"{WHOLE}_{f.name}": np.asarray(getattr(whole, f.name)) for f in fields(WholeHand)
         }
