@@ -88,9 +88,11 @@ def solve(moved: Moved) -> Alignment:
     R_WT = rotations_at(moved.t_T - delay, moved.R_WT, t)
     measured = _is_near(moved.t_B, t) & _is_near(moved.t_T - delay, t)
     R_BT, rotation_rms = _rotation(R_GB, R_WT, measured)
-    _check(rotation_rms < MOST_RMS, "room.rotations_differ", rms_deg=np.rad2deg(rotation_rms))
+    _check(
+        rotation_rms < MOST_RMS, failure("room.rotations_differ", rms_deg=np.rad2deg(rotation_rms))
+    )
     d, position_rms = _pivot(moved.R_WT, moved.p_WT)
-    _check(position_rms < MOST_RMS_M, "room.wrist_moved", rms_mm=1e3 * position_rms)
+    _check(position_rms < MOST_RMS_M, failure("room.wrist_moved", rms_mm=1e3 * position_rms))
     D = (R_GB @ R_BT @ np.swapaxes(R_WT, 1, 2))[measured]
     yaw = np.arctan2(D[:, 1, 0] - D[:, 0, 1], D[:, 0, 0] + D[:, 1, 1])
     mean = float(np.angle(np.mean(np.exp(1j * yaw))))
@@ -174,7 +176,7 @@ def _rotation(R_GB: Array, R_WT: Array, measured: BoolArray) -> tuple[Array, flo
     turns = np.concatenate(b) if pairs else np.zeros((0, 3))
     axes = np.linalg.svd(turns, compute_uv=False) ** 2 if len(turns) >= 3 else np.zeros(3)
     share = float(axes[1] / max(axes.sum(), 1e-12))
-    _check(share > LEAST_AXES, "room.one_axis", share=share)
+    _check(share > LEAST_AXES, failure("room.one_axis"))
     a.append(R_GB[measured, 2])  # the vertical in B, and in T
     b.append(R_WT[measured, 2])
     of_B, of_T = np.concatenate(a), np.concatenate(b)
@@ -207,7 +209,6 @@ def _pivot(R_WT: Array, p_WT: Array) -> tuple[Array, float]:
     return solution[3:], float(np.sqrt(np.average(away**2, weights=weight)))
 
 
-def _check(good: bool, code: str, **values: float) -> None:
+def _check(good: bool, problem: Notice) -> None:
     if not good:
-        found: Notice = failure(code, **values)
-        raise AlignmentError(found)
+        raise AlignmentError(problem)

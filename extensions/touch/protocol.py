@@ -66,10 +66,12 @@ def began(cue: Cue, t: float) -> Event:
     """The wearer is asked for ``cue`` from ``t`` (s) on."""
     data = {"cue": cue.what, "number": cue.number, "phase": "begin"}
     if cue.what != "touch":
-        return Event.of(t, KIND, notice(f"touch.cue_{cue.what}"), data)
+        cued = notice("touch.cue_pinch" if cue.what == "pinch" else "touch.cue_still")
+        return Event.of(t, KIND, cued, data)
     data |= {"finger": cue.finger, "target": cue.target, "how": cue.how}
-    said = notice("touch.cue", finger=cue.finger, target=cue.target, how=cue.how.replace("_", " "))
-    return Event.of(t, KIND, said, data)
+    how = cue.how.replace("_", " ")
+    cued = notice("touch.cue", finger=cue.finger, target=cue.target, how=how)
+    return Event.of(t, KIND, cued, data)
 
 
 def ended(cue: Cue, t: float, done: bool = True) -> Event:

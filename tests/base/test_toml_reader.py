@@ -13,7 +13,7 @@ from tracker.base.errors import FileError
 from tracker.base.files import read_bounded
 from tracker.base.toml_reader import MOST_BYTES, parse_toml, read_text
 
-SECONDS = 2.0
+SECONDS = 6.0
 """Processor time that a text of the largest allowed size may take."""
 PIECES = ['"', '"', "\\", '"""', "'", "'''", "a", "\n", " = ", "#", "b", "[", "]", "\\n"]
 

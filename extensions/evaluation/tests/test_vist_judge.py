@@ -10,6 +10,7 @@ from extensions.evaluation.vist.judge import Judge, TrialRecord
 from extensions.evaluation.vist.scenes import motion_of, simulation_of
 from extensions.evaluation.vist.trial import models
 from tracker.hand.names import MARKED_KEYPOINTS
+from tracker.messages import Validity
 
 
 @pytest.fixture(scope="module")
@@ -26,7 +27,10 @@ def seen_through(simulation, t):
     p_C = (truth.keypoints - true.p_GC) @ true.R_GC
     keypoints = p_C @ reported.R_GC.T + reported.p_GC
     sd = np.ones(len(keypoints))
-    return SimpleNamespace(t=t, keypoints=keypoints, keypoint_sd=sd, angles=truth.angles)
+    state = np.full(len(keypoints), int(Validity.MEASURED))
+    return SimpleNamespace(
+        t=t, keypoints=keypoints, keypoint_sd=sd, keypoint_state=state, angles=truth.angles
+    )
 
 
 def judged(simulation, place):
@@ -38,7 +42,7 @@ def judged(simulation, place):
         seen=[9] * len(times),
     )
     columns = [names.index(k) for k in MARKED_KEYPOINTS]
-    pipeline = SimpleNamespace(hand=simulation.hand)
+    pipeline = SimpleNamespace(hand=simulation.hand, keypoint_names=names)
     return Judge(simulation, pipeline, columns, place).trial(record, 0, outage=0.0)
 
 
@@ -50,8 +54,10 @@ def test_a_wrong_camera_pose_is_no_error_in_the_cameras_frame(simulation):
 
 def test_the_same_estimates_are_wrong_in_the_room_by_the_poses_error(simulation):
     """3 mm along each axis and 0.5° at about 0.4 m: some millimetres."""
-    error = judged(simulation, "world").error
-    assert 0.001 < error.mean() < 0.02
+    trial = judged(simulation, "world")
+    assert 0.001 < trial.error.mean() < 0.02
+    columns = [trial.whole.names.index(k) for k in MARKED_KEYPOINTS]
+    np.testing.assert_array_equal(trial.whole.error[:, columns], trial.error)
 
 
 def test_only_the_head_experiment_moves_the_camera(simulation):
