@@ -119,7 +119,7 @@ def test_a_hand_dragged_along_among_strange_patches_is_another(
         all_uv = np.concatenate([uv + (off_px, 0.0), more])
         number = np.arange(len(all_uv))
         sides.append(SeenBlobs(all_uv, np.zeros_like(number), number))
-    image = SeenImage(nothing, tuple(sides), rig.pose)
+    image = SeenImage(nothing, tuple(sides), rig.pose, None, tuple(sides))
     assert len(shown) > 8
     assert recognition.is_followed(image, Recognised(expected, match)) is followed
 
