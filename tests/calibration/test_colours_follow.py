@@ -7,7 +7,7 @@ import cv2
 import numpy as np
 import pytest
 
-from tracker.calibration.colours_follow import APART, KEPT, ColourFollower
+from tracker.calibration.colours_follow import APART, STORED, ColourFollower
 from tracker.calibration.colours_learn import learn
 from tracker.calibration.colours_sample import KnownMarkers, samples_of
 from tracker.glove import library
@@ -111,14 +111,14 @@ def test_colours_adapt_to_a_warm_lamp_that_is_turned_up(
 
 
 def test_colours_are_unchanged_in_constant_light(glove: GloveModel, learned: ColourProfile) -> None:
-    profile, changes = followed(glove, learned, np.ones((KEPT + 2, 3)))
+    profile, changes = followed(glove, learned, np.ones((STORED + 2, 3)))
     assert changes == 0
     assert profile is learned
 
 
 def test_nothing_is_learned_without_tracking(glove: GloveModel, learned: ColourProfile) -> None:
     follower = ColourFollower(learned, glove, SIZE, FX)
-    for k in range(KEPT + 1):
+    for k in range(STORED + 1):
         gain = np.array([1 - 0.08 * k, 1.0, 1.0])
         frame, blobs, result = exposure(glove, learned, 10 + 1.01 * APART * k, gain)
         lost = dataclasses.replace(result, tracking=Tracking.COASTING)

@@ -261,14 +261,14 @@ def finished(guided, clock, engine, qtbot) -> None:
     guided.start()
     qtbot.waitUntil(lambda: guided._before is not None, timeout=10_000)
     through(guided, clock, engine)
-    teach(engine.inner, 6.0)
+    teach(engine.inner, 20.0)
     qtbot.waitUntil(lambda: guided.outcome.keep_button.isEnabled(), timeout=10_000)
 
 
 def test_learned_parameters_are_reported_as_text_and_figures(guided, clock, engine, qtbot):
     finished(guided, clock, engine, qtbot)
     words = guided.outcome.words.text()
-    assert "The end joint of your index finger bends 6° more than estimated before." in words
+    assert "The end joint of your index finger bends 20° more than estimated before." in words
     table = guided.outcome.table
     row = next(
         r for r in range(table.rowCount()) if "index finger, bent" in table.item(r, 0).text()
@@ -276,12 +276,12 @@ def test_learned_parameters_are_reported_as_text_and_figures(guided, clock, engi
     (before, sd_before), (after, sd_after) = (
         (float(x) for x in table.item(row, c).text().split("° ± ")) for c in (1, 2)
     )
-    assert after - before == pytest.approx(6.0, abs=0.11)  # one decimal of each
+    assert after - before == pytest.approx(20.0, abs=0.11)  # one decimal of each
     p = ChainParams().synergy
     bent = np.hypot(p.ratio * 90.0, p.offset_deg)  # standard deviation between people in a fist
     assert sd_before == pytest.approx(bent, abs=0.06)
     assert sd_after == pytest.approx(bent / 2, abs=0.06)
-    assert table.item(row, 3).text() == "▲ +6.0°"
+    assert table.item(row, 3).text() == "▲ +20.0°"
 
 
 def test_undo_reverts_what_the_poses_have_taught(guided, clock, engine, qtbot):
@@ -461,7 +461,7 @@ def test_repeating_and_ending_at_once_still_shows_the_earlier_result(guided, clo
     guided.tick()
     qtbot.waitUntil(lambda: guided.outcome.keep_button.isEnabled(), timeout=10_000)
     assert guided.outcome.heading.text() == "0 of 8 poses held"
-    assert "index finger bends 6° more" in guided.outcome.words.text()
+    assert "index finger bends 20° more" in guided.outcome.words.text()
 
 
 @pytest.fixture
@@ -486,7 +486,7 @@ def test_with_two_hands_it_applies_to_the_one_it_was_started_for(both, window, c
     before = right.inner.wearer.synergies[0].copy()
     window.host.show_hand("left")
     finished(dialog, clock, right, qtbot)
-    assert "index finger bends 6° more" in dialog.outcome.words.text()
+    assert "index finger bends 20° more" in dialog.outcome.words.text()
     assert left.reported == []
     dialog.outcome.undo_button.click()
     np.testing.assert_array_equal(right.inner.wearer.synergies[0], before)
