@@ -55,7 +55,8 @@ def read_mapping(path: Path) -> PointMapping:
     keypoints = {}
     if root.has("keypoints"):
         group = root.table("keypoints")
-        for name in group.keys():  # noqa: SIM118  a table is not a dictionary
+        names = group.keys()
+        for name in names:
             keypoints[name] = texts(group, name)
         group.finish()
     table = _columns(root.table("columns")) if root.has("columns") else None
@@ -74,7 +75,8 @@ def _columns(table: TomlTable) -> TableColumns:
     delimiter = table.text("delimiter", ",")
     points = {}
     group = table.table("points")
-    for name in group.keys():  # noqa: SIM118  a table is not a dictionary
+    names = group.keys()
+    for name in names:
         axes = texts(group, name)
         if len(axes) != 3:
             raise group.fail(name, "must be a list of its three columns, x, y and z")

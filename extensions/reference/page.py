@@ -20,19 +20,7 @@ from extensions.reference.angles import MODEL
 from extensions.reference.figures import agreement, errors, svg
 from extensions.reference.statistics import Interval
 from tracker import __version__
-
-_STYLE = """
-body { font: 15px/1.45 system-ui, sans-serif; margin: 2em auto; max-width: 75em; padding: 0 1em;
-  color: #222; background: #fff }
-table { border-collapse: collapse; margin: .6em 0 1.4em; font-variant-numeric: tabular-nums }
-th, td { padding: .15em .6em; text-align: right; border-bottom: 1px solid #ddd;
-  white-space: nowrap }
-th:first-child, td:first-child { text-align: left }
-thead th { border-bottom: 2px solid #888; vertical-align: bottom }
-.wide { overflow-x: auto } svg { max-width: 100%; height: auto } .note { color: #555 }
-.quote { font-size: 1.15em; border-left: 4px solid #0072b2; padding: .3em 1em }
-@media print { .wide { overflow: visible } body { font-size: 10px } }
-"""
+from tracker.base.report_page import html_page, html_table
 
 
 def page(measured: Sequence[Measured], offsets: bool = True) -> str:
@@ -46,12 +34,7 @@ def page(measured: Sequence[Measured], offsets: bool = True) -> str:
     for m in measured:
         parts += _one(m, offsets)
     parts.append(_definitions(offsets))
-    body = "\n".join(parts)
-    return (
-        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
-        f"<title>Accuracy against a reference</title><style>{_STYLE}</style></head>\n"
-        f"<body>{body}\n</body></html>\n"
-    )
+    return html_page("Accuracy against a reference", parts)
 
 
 def number(value: float, digits: int = 1) -> str:
@@ -63,14 +46,6 @@ def _interval(ci: Interval, scale: float = 1.0, digits: int = 1) -> str:
     if not np.isfinite(ci).all():
         return ""
     return f"{scale * ci[0]:.{digits}f} to {scale * ci[1]:.{digits}f}"
-
-
-def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    top = "".join(f"<th>{escape(h)}</th>" for h in head)
-    body = "".join(
-        "<tr>" + "".join(f"<td>{escape(c)}</td>" for c in row) + "</tr>\n" for row in rows
-    )
-    return f'<div class="wide"><table><thead><tr>{top}</tr></thead>\n{body}</table></div>'
 
 
 def _recordings(measured: Sequence[Measured]) -> str:
@@ -89,7 +64,7 @@ def _recordings(measured: Sequence[Measured]) -> str:
             number(1e3 * about.with_offsets.residual, 2), number(1e3 * m.whole.rmse, 2),
             _interval(m.whole.rmse_ci, 1e3, 2), number(float(np.rad2deg(m.angle_rmse))),
         ])  # fmt: skip
-    return "<h2>Recordings</h2>" + _table(head, rows)
+    return "<h2>Recordings</h2>" + html_table(head, rows)
 
 
 def _summary(measured: Sequence[Measured]) -> str:
@@ -101,7 +76,7 @@ def _summary(measured: Sequence[Measured]) -> str:
         for r in summary(measured)
         for p in [r.pooled]
     ]  # fmt: skip
-    return "<h2>All recordings</h2>" + _table(head, rows) if len(measured) > 1 else ""
+    return "<h2>All recordings</h2>" + html_table(head, rows) if len(measured) > 1 else ""
 
 
 def _one(m: Measured, offsets: bool) -> list[str]:
@@ -134,7 +109,7 @@ def _points(m: Measured, offsets: bool) -> str:
     head += [f"bias {a} mm" for a in "xyz"] + [f"limits {a} mm" for a in "xyz"] + ["ICC(2,1)"]
     if offsets:
         head.insert(5, "without marker offsets mm")
-    return _table(head, [_point(r, offsets) for r in m.points])
+    return html_table(head, [_point(r, offsets) for r in m.points])
 
 
 def _point(r: PointRow, offsets: bool) -> list[str]:
@@ -163,7 +138,7 @@ def _marker_offsets(m: Measured) -> str:
         "estimated keypoint, in the axes of the keypoint's segment. They contain the placement of "
         "the marker and the constant error of the estimate.</p>"
     )
-    return note + _table(("", "x mm", "y mm", "z mm", "length mm"), rows)
+    return note + html_table(("", "x mm", "y mm", "z mm", "length mm"), rows)
 
 
 def _with_sd(value: float, sd: float) -> str:
@@ -183,13 +158,13 @@ def _scalars(rows: Sequence[ScalarRow]) -> str:
             _interval((a.low, a.high), scale, 1), _interval(a.low_ci, scale, 1),
             _interval(a.high_ci, scale, 1), number(r.icc.value, 3), _interval(r.icc.ci, digits=3),
         ])  # fmt: skip
-    return _table(head, out)
+    return html_table(head, out)
 
 
 def _bins(bins: Sequence[Bin]) -> str:
     rows = [[b.name, number(100 * b.share), number(1e3 * b.rmse, 2), number(1e3 * b.p95)]
             for b in bins]  # fmt: skip
-    return _table(("", "share %", "RMSE mm", "95 % below mm"), rows)
+    return html_table(("", "share %", "RMSE mm", "95 % below mm"), rows)
 
 
 def clock(t: float) -> str:
@@ -201,7 +176,7 @@ def clock(t: float) -> str:
 def _worst(m: Measured) -> str:
     rows = [[clock(w.t), w.keypoint, number(1e3 * w.error), w.state, number(w.speed, 2)]
             for w in m.worst]  # fmt: skip
-    return _table(("time in the session", "keypoint", "error mm", "state", "speed m/s"), rows)
+    return html_table(("time in the session", "keypoint", "error mm", "state", "speed m/s"), rows)
 
 
 def _definitions(offsets: bool) -> str:

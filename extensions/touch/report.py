@@ -13,21 +13,9 @@ from extensions.touch.statistics import Interval
 from tracker import __version__
 from tracker.base.errors import ConfigError
 from tracker.base.files import check_target, whole_files
+from tracker.base.report_page import html_page, html_table
 
 MM = 1000.0
-_STYLE = """
-body { font: 15px/1.45 system-ui, sans-serif; margin: 2em auto; max-width: 75em; padding: 0 1em;
-  color: #222; background: #fff }
-table { border-collapse: collapse; margin: .6em 0 1.4em; font-variant-numeric: tabular-nums }
-th, td { padding: .15em .6em; text-align: right; border-bottom: 1px solid #ddd;
-  white-space: nowrap }
-th:first-child, td:first-child { text-align: left }
-thead th { border-bottom: 2px solid #888; vertical-align: bottom }
-.quote { font-size: 17px; border-left: 4px solid #0072b2; padding: .3em .8em }
-.warning { background: #f4e3b2; padding: .2em .8em } .note { color: #555 }
-.wide { overflow-x: auto } svg { max-width: 100%; height: auto }
-@media print { .wide { overflow: visible } body { font-size: 10px } }
-"""
 
 
 def write_report(
@@ -67,14 +55,10 @@ def page(result: TouchResult) -> str:
         "<h2>Fingertip contact</h2>",
         _pulps(result),
         "<h2>Summary</h2>",
-        _table(("", ""), summary_rows(result)),
+        html_table(("", ""), summary_rows(result)),
         _definitions(),
     ]
-    body = "\n".join(parts)
-    return (
-        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
-        f"<title>Touch test</title><style>{_STYLE}</style></head>\n<body>{body}\n</body></html>\n"
-    )
+    return html_page("Touch test", parts)
 
 
 def _about(result: TouchResult) -> str:
@@ -96,7 +80,7 @@ def _fingers(result: TouchResult) -> str:
         ["all", str(result.count), mm(result.bias_length), mm(result.sd), mm(result.distance)]
         + [mm(result.p95), f"{MM * result.claimed_sd:.1f}"]
     )
-    return _table(head, rows)
+    return html_table(head, rows)
 
 
 def _limits(result: TouchResult) -> str:
@@ -106,7 +90,7 @@ def _limits(result: TouchResult) -> str:
         + [f"{MM * low.value:.1f} to {MM * high.value:.1f}" for low, high in f.limits]
         for f in result.fingers
     ]
-    return _table(head, rows)
+    return html_table(head, rows)
 
 
 def _pulps(result: TouchResult) -> str:
@@ -114,7 +98,7 @@ def _pulps(result: TouchResult) -> str:
             "of it not in the hand file (mm)", "± (mm)", "bias without that (mm)",
             "free offset (mm)", "± (mm)", "SD with it (mm)")  # fmt: skip
     rows = [_pulp(f) for f in result.fingers]
-    return _table(head, rows)
+    return html_table(head, rows)
 
 
 def _pulp(f: FingerResult) -> list[str]:
@@ -169,14 +153,6 @@ def mm(interval: Interval) -> str:
 def _per_100(interval: Interval) -> str:
     value, low, high = (100 * v for v in (interval.value, interval.low, interval.high))
     return f"{value:.1f} ({low:.1f} to {high:.1f})"
-
-
-def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    top = "".join(f"<th>{escape(h)}</th>" for h in head)
-    body = "".join(
-        "<tr>" + "".join(f"<td>{escape(c)}</td>" for c in row) + "</tr>\n" for row in rows
-    )
-    return f'<div class="wide"><table><thead><tr>{top}</tr></thead>\n{body}</table></div>'
 
 
 def _definitions() -> str:

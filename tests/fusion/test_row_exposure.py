@@ -119,9 +119,9 @@ def test_rows_depend_on_the_velocity_as_the_pixels_do(layout: ChainLayout) -> No
         faster.v[axis] += step
         moved = model.predict(faster, rig.pose, exposure=rows).uv[:, e.rows]
         by_v = (moved - e.uv[:, e.rows]) / step
-        told = np.einsum("ckij,kj->cki", e.A[:, e.rows], e.H[:, :, 3 + axis])
+        by_H = np.einsum("ckij,kj->cki", e.A[:, e.rows], e.H[:, :, 3 + axis])
         # the marker's own delay changes with the velocity, by a tenth
-        assert np.abs(by_v - told).max() < 0.2 * np.abs(told).max()
+        assert np.abs(by_v - by_H).max() < 0.2 * np.abs(by_H).max()
     HP = np.einsum("kij,jl->kil", e.H, state.P)
     assert np.abs(e.HP - HP).max() < 1e-12 * np.abs(HP).max()
     cov = HP @ e.H.swapaxes(1, 2) + np.eye(3) * noise.marker**2

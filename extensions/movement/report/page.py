@@ -14,20 +14,9 @@ from extensions.movement.report.course import CUTOFF
 from extensions.movement.report.measure import MeasuredTake, Row
 from extensions.movement.report.table import scaled, table, text
 from tracker import __version__
+from tracker.base.report_page import html_page, html_table
 from tracker.session.edits import lines as edit_lines
 
-_STYLE = """
-body { font: 15px/1.45 system-ui, sans-serif; margin: 2em auto; max-width: 75em; padding: 0 1em;
-  color: #222; background: #fff }
-table { border-collapse: collapse; margin: .6em 0 1.4em; font-variant-numeric: tabular-nums }
-th, td { padding: .15em .6em; text-align: right; border-bottom: 1px solid #ddd;
-  white-space: nowrap }
-th:first-child, td:first-child { text-align: left }
-thead th { border-bottom: 2px solid #888; vertical-align: bottom }
-.wide { overflow-x: auto } svg { max-width: 100%; height: auto } .note { color: #555 }
-.key { display: inline-block; width: 1em; height: .9em; vertical-align: -.1em }
-@media print { .wide { overflow: visible } body { font-size: 10px } }
-"""
 _HEAD = (
     "", "unit", "minimum", "maximum", "range", "± of range", "mean", "sd", "± of a value",
     "peak speed /s", "at s", "maximum at s", "arc length", "log jerk", "repetitions",
@@ -51,12 +40,7 @@ def page(takes: Sequence[MeasuredTake], drawn: Mapping[str, str]) -> str:
     for number, measured in enumerate(takes, 1):
         parts += _one(measured, number, drawn)
     parts.append(_definitions())
-    body = "\n".join(parts)
-    return (
-        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
-        f"<title>Glovetrack report</title><style>{_STYLE}</style></head>\n"
-        f"<body>{body}\n</body></html>\n"
-    )
+    return html_page("Glovetrack report", parts)
 
 
 def name_of(measured: MeasuredTake, number: int) -> str:
@@ -69,7 +53,7 @@ def _takes(takes: Sequence[MeasuredTake]) -> str:
         + ["simulated" if t.simulated else "recorded"]
         for n, t in enumerate(takes, 1)
     ]
-    return _table(("take", "wearer", "hand", "s", "tracked by", ""), rows)
+    return html_table(("take", "wearer", "hand", "s", "tracked by", ""), rows)
 
 
 def _one(measured: MeasuredTake, number: int, drawn: Mapping[str, str]) -> list[str]:
@@ -100,7 +84,7 @@ def _one(measured: MeasuredTake, number: int, drawn: Mapping[str, str]) -> list[
 
 
 def _numbers(rows: Sequence[Row]) -> str:
-    return _table(_HEAD, [_cells(r) for r in rows])
+    return html_table(_HEAD, [_cells(r) for r in rows])
 
 
 def _cells(row: Row) -> list[str]:
@@ -128,7 +112,7 @@ def _compared(takes: Sequence[MeasuredTake]) -> str:
         rows.append(
             [f"{row.measure.name}, {unit}", *(text(v, 1) for v in [*values, *_spread(values)])]
         )
-    return "<h2>Takes compared</h2>" + _table(head, rows)
+    return "<h2>Takes compared</h2>" + html_table(head, rows)
 
 
 def _wearers(takes: Sequence[MeasuredTake]) -> str:
@@ -147,21 +131,13 @@ def _wearers(takes: Sequence[MeasuredTake]) -> str:
             cells.append(f"{text(mean, 1)} ± {text(sd, 1)}" if len(mine) > 1 else text(mean, 1))
         rows.append(cells)
     head = ["mean range ± sd", *(f"{w} ({len(mine)})" for w, mine in of.items())]
-    return "<h2>Wearers compared</h2>" + _table(head, rows)
+    return "<h2>Wearers compared</h2>" + html_table(head, rows)
 
 
 def _spread(values: Sequence[float]) -> tuple[float, float]:
     known = [v for v in values if np.isfinite(v)]
     mean = float(np.mean(known)) if known else float("nan")
     return mean, float(np.std(known, ddof=1)) if len(known) > 1 else float("nan")
-
-
-def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    top = "".join(f"<th>{escape(h)}</th>" for h in head)
-    body = "".join(
-        "<tr>" + "".join(f"<td>{escape(c)}</td>" for c in row) + "</tr>\n" for row in rows
-    )
-    return f'<div class="wide"><table><thead><tr>{top}</tr></thead>\n{body}</table></div>'
 
 
 def _definitions() -> str:
