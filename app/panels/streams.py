@@ -37,14 +37,22 @@ from app.panels.remote import RemoteBox
 from app.viewmodels.streams import MOTORS, OPENXR, OWN, StreamRow, option_fields, stream_row, tested
 from app.widgets.measures import NEAR
 from app.widgets.options_dialog import OptionsDialog
-from app.words import tr
+from app.words import mark, tr
 
+MOTOR_TITLES = {
+    "thumb": mark("Thumb"),
+    "index": mark("Index"),
+    "middle": mark("Middle"),
+    "ring": mark("Ring"),
+    "little": mark("Little"),
+}
 TEST_MS = 300
 MOST, USUAL = 255, 200  # amplitude
 
 
 WIDTH = 90
 """px, width of a file name."""
+OPTIONS_WIDTH = 40  # px
 
 
 class RecordFile(QPushButton):
@@ -199,7 +207,9 @@ class StreamsPanel(Panel):
         row.setSpacing(NEAR)
         row.addWidget(test)
         if option_fields(self._outputs.kinds[name]):
-            options = self.options[name] = QPushButton(self.tr("Options…"))
+            options = self.options[name] = QPushButton("…")
+            options.setFixedWidth(OPTIONS_WIDTH)  # all columns fit next to the camera images
+            options.setToolTip(self.tr("Options of {}").format(title))
             options.setAccessibleName(self.tr("Options of {}").format(title))
             options.clicked.connect(partial(self._edit_options, name))
             row.addWidget(options)
@@ -243,7 +253,7 @@ class StreamsPanel(Panel):
     def _haptics(self) -> QGroupBox:
         group = QGroupBox(self.tr("Vibration motors: press one to test it"))
         tests = QHBoxLayout()
-        self.motors = [QPushButton(finger.title()) for finger in MOTORS]
+        self.motors = [QPushButton(tr(MOTOR_TITLES[finger])) for finger in MOTORS]
         for channel, button in enumerate(self.motors):
             button.setToolTip(self.tr("Motor {}").format(channel))
             button.setMinimumWidth(20)

@@ -47,7 +47,7 @@ def _mediapipe(options: MediaPipeOptions, hands: Sequence[Names]) -> Iterator[Pu
 
 HTS = StreamKind(
     name="hts",
-    title="Hand Tracking Streamer (21 landmarks)",
+    title="Hand Tracking Streamer",
     options=HtsOptions,
     make=_hts,
     order=24,

@@ -109,7 +109,7 @@ OPENGLOVES = StreamKind(
 )
 MONADO = StreamKind(
     name="monado",
-    title="Monado (OpenGloves' serial line)",
+    title="Monado (serial line)",
     options=MonadoOptions,
     make=_monado,
     order=23,

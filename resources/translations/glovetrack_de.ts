@@ -2400,7 +2400,7 @@
     <message>
       <location filename="app/panels/remote.py" />
       <source>Clients</source>
-      <translation>Gegenstellen</translation>
+      <translation>Clients</translation>
     </message>
     <message>
       <location filename="app/panels/remote.py" />
@@ -2504,6 +2504,31 @@
     </message>
     <message>
       <location filename="app/panels/streams.py" />
+      <source>Thumb</source>
+      <translation>Daumen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/streams.py" />
+      <source>Index</source>
+      <translation>Zeigefinger</translation>
+    </message>
+    <message>
+      <location filename="app/panels/streams.py" />
+      <source>Middle</source>
+      <translation>Mittelfinger</translation>
+    </message>
+    <message>
+      <location filename="app/panels/streams.py" />
+      <source>Ring</source>
+      <translation>Ringfinger</translation>
+    </message>
+    <message>
+      <location filename="app/panels/streams.py" />
+      <source>Little</source>
+      <translation>Kleiner Finger</translation>
+    </message>
+    <message>
+      <location filename="app/panels/streams.py" />
       <source>UDP and VMC send to this address, servers listen on it; 127.0.0.1 is this computer only</source>
       <translation>UDP und VMC senden an diese Adresse, Server lauschen an ihr; 127.0.0.1 ist nur dieser Rechner</translation>
     </message>
@@ -2591,11 +2616,6 @@
       <location filename="app/panels/streams.py" />
       <source>Dropped</source>
       <translation>Verworfen</translation>
-    </message>
-    <message>
-      <location filename="app/panels/streams.py" />
-      <source>Options…</source>
-      <translation>Optionen…</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
@@ -8116,6 +8136,16 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/touch/window/dialog.py" />
+      <source>S&amp;ave the sheet…</source>
+      <translation>Blatt &amp;speichern…</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/dialog.py" />
+      <source>The sheet and its ridge as PDF, to be printed</source>
+      <translation>Das Blatt und der Steg als PDF zum Drucken</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/dialog.py" />
       <source>&amp;Touched</source>
       <translation>&amp;Berührt</translation>
     </message>
@@ -8133,6 +8163,11 @@ change {}: {}</source>
       <location filename="extensions/touch/window/dialog.py" />
       <source>&amp;Repeat the last one</source>
       <translation>&amp;Letzte wiederholen</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/dialog.py" />
+      <source>Save the sheet</source>
+      <translation>Blatt speichern</translation>
     </message>
     <message>
       <location filename="extensions/touch/window/dialog.py" />
@@ -8158,6 +8193,11 @@ change {}: {}</source>
       <location filename="extensions/touch/window/dialog.py" />
       <source>Lay the sheet before the camera, with your hand out of its view. The test takes about five minutes.</source>
       <translation>Legen Sie das Blatt vor die Kamera; Ihre Hand darf nicht im Bild sein. Der Test dauert etwa fünf Minuten.</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/dialog.py" />
+      <source>Sheet saved: {}. Print it at 100 %.</source>
+      <translation>Blatt gespeichert: {}. Drucken Sie es mit 100 %.</translation>
     </message>
     <message>
       <location filename="extensions/touch/window/extension.py" />
@@ -8366,8 +8406,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.streams" />
-      <source>Monado (OpenGloves' serial line)</source>
-      <translation>Monado (serielle Leitung von OpenGloves)</translation>
+      <source>Monado (serial line)</source>
+      <translation>Monado (serielle Leitung)</translation>
     </message>
     <message>
       <location filename="glovetrack.streams" />
@@ -8386,8 +8426,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.streams" />
-      <source>Hand Tracking Streamer (21 landmarks)</source>
-      <translation>Hand Tracking Streamer (21 Landmarken)</translation>
+      <source>Hand Tracking Streamer</source>
+      <translation>Hand Tracking Streamer</translation>
     </message>
     <message>
       <location filename="glovetrack.streams" />

@@ -10,6 +10,7 @@ from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import (
     QDialog,
     QDoubleSpinBox,
+    QFileDialog,
     QFormLayout,
     QHBoxLayout,
     QLabel,
@@ -22,7 +23,7 @@ from PySide6.QtWidgets import (
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.platform.tasks import TaskOwner
-from app.storage.settings import SettingsStore
+from app.storage.settings import SettingsStore, sessions_folder
 from app.viewmodels.recording import RecordingPlan
 from app.words import error_text
 from extensions.touch.pose import SheetPose, find_sheet
@@ -30,6 +31,7 @@ from extensions.touch.window.job import Written, touch_job
 from extensions.touch.window.view_model import TouchPhase, TouchRun, cue_words
 from tracker.base.clock import monotonic
 from tracker.base.errors import GlovetrackError
+from tracker.base.files import whole_file
 from tracker.messages import Array, Validity
 
 TASK = "touch-test"
@@ -92,7 +94,11 @@ class TouchDialog(QDialog):
         self.resize(760, 420)
 
     def _buttons(self) -> QHBoxLayout:
+        self.sheet_button = QPushButton(self.tr("S&ave the sheet…"))
+        self.sheet_button.setToolTip(self.tr("The sheet and its ridge as PDF, to be printed"))
+        self.sheet_button.clicked.connect(self._ask_where_to_save)
         self.start_button = QPushButton(self.tr("&Start"))
+        self.start_button.setDefault(True)
         self.start_button.clicked.connect(self.start)
         self.accept_button = QPushButton(self.tr("&Touched"))
         self.accept_button.setToolTip(self.tr("Accept the touch although it was not detected"))
@@ -102,9 +108,35 @@ class TouchDialog(QDialog):
         self.repeat_button = QPushButton(self.tr("&Repeat the last one"))
         self.repeat_button.clicked.connect(lambda: self.run.repeat(monotonic()))
         row = QHBoxLayout()
-        for button in (self.repeat_button, self.skip_button, self.accept_button, self.start_button):
+        for button in (
+            *(self.repeat_button, self.skip_button, self.accept_button),
+            *(self.sheet_button, self.start_button),
+        ):
             row.addWidget(button)
         return row
+
+    # --- the sheet
+
+    def _ask_where_to_save(self) -> None:
+        folder = sessions_folder(self._store.value)
+        path, _ = QFileDialog.getSaveFileName(
+            self, self.tr("Save the sheet"), str(folder / "touch-test.pdf"), "*.pdf"
+        )
+        if path:
+            self.save_sheet(Path(path))
+
+    def save_sheet(self, path: Path) -> None:
+        """Write the sheet as PDF; a message says where, or why not."""
+        from extensions.sheets.page import save_pages  # matplotlib
+        from extensions.touch.page import touch_pages
+
+        try:
+            with whole_file(path, force=True) as part:
+                save_pages(touch_pages(), part, "Sheet of the touch test")
+        except GlovetrackError as error:
+            self.how.setText(error_text(error))
+        else:
+            self.how.setText(self.tr("Sheet saved: {}. Print it at 100 %.").format(path))
 
     # --- the cues
 
@@ -167,7 +199,8 @@ class TouchDialog(QDialog):
         self.held.setValue(round(100 * min(max(self.run.share, 0.0), 1.0)))
         self.progress.setMaximum(len(self.run.cues))
         self.progress.setValue(len(self.run.done))
-        self.start_button.setVisible(not running)
+        for button in (self.sheet_button, self.start_button):
+            button.setVisible(not running)
         self.ruler.setEnabled(not running)
         for button in (self.accept_button, self.skip_button, self.repeat_button):
             button.setVisible(running)
