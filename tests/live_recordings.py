@@ -78,19 +78,28 @@ def record_demo(home: Path, options: tuple[str, ...], watched: float = WATCHED) 
             stderr=subprocess.STDOUT,
         )
     try:
-        return _record(window, port, watched, log)
+        return _record(window, port, watched, log, "none" not in options)
     finally:
         if window.poll() is None:
             window.send_signal(signal.SIGINT)
         window.wait(STEP_TIMEOUT)
 
 
-def _record(window: subprocess.Popen[bytes], port: int, watched: float, log: Path) -> Path:
+def _record(
+    window: subprocess.Popen[bytes], port: int, watched: float, log: Path, with_camera: bool
+) -> Path:
     def running() -> bool:
         assert window.poll() is None, log.read_text("utf-8", "replace")
         return bool(_asked(port, "status", ATTEMPT).get("running"))
 
+    def found() -> bool:
+        status = _asked(port, "status", ATTEMPT)
+        hands = {status[key] for key in status if key.startswith("tracking_")}
+        return bool(hands) and not hands & {"searching", "lost"}
+
     _wait(running, START_TIMEOUT, "the demo")
+    if with_camera:
+        _wait(found, STEP_TIMEOUT, "finding the hand")
     time.sleep(watched)
     begun = _asked(port, "start")
     assert begun["ok"], begun

@@ -149,12 +149,22 @@ class RemoteAnswers(QObject):
             "recording": recording.request is not None,
             "paused": recording.paused,
             "duration_s": round(recording.elapsed, 3),
+            **self._tracking(),
         }
         if recording.request is not None:
             path = recording.request.path
             return Reply(True, request.do, f"Recording {path.name}.", path, more)
         text = "Devices are running." if self._host.running else "Nothing is running."
         return Reply(True, request.do, text, None, more)
+
+    def _tracking(self) -> dict[str, str]:
+        """State of tracking of each hand, as `tracking_SIDE`."""
+        view = self._host.snapshot()
+        return {
+            f"tracking_{hand.setup.side}": hand.estimate.tracking.name.lower()
+            for hand in (view.hands if view is not None else ())
+            if hand.estimate is not None
+        }
 
     def _vibrate(self, request: Request) -> Reply:
         """Thread-safe, as the glove's link is."""

@@ -77,7 +77,9 @@ def test_start_note_and_stop_by_udp_are_like_the_keys(window, engine, qtbot):
     assert say(do="note", text="the cup")["ok"]
     (note,) = window.host.notes.current.values()
     assert note.text == "the cup" and before <= note.t <= monotonic()
-    assert say(do="status")["recording"] is True
+    status = say(do="status")
+    assert status["recording"] is True
+    assert status[f"tracking_{window.host.setup.side}"] == "tracking"
     stopped = say(do="stop")
     assert stopped["file"] == path.name and window.host.recording.request is None
     assert recorders[0].closed
