@@ -12,6 +12,7 @@ from __future__ import annotations
 import hashlib
 import json
 import logging
+import math
 import time
 from collections.abc import Callable
 from functools import partial
@@ -41,12 +42,15 @@ def server_name() -> str:
     return "glovetrack-" + hashlib.sha256(folder.encode()).hexdigest()[:16]
 
 
-def hand_over(session: Path | None, name: str | None = None) -> bool:
-    """Pass ``session`` (None: only show the window) to the open window; False if there is none.
+def hand_over(session: Path | None, at: float | None = None, name: str | None = None) -> bool:
+    """Pass ``session`` (None: only show the window), to be paused at ``at`` s if that is given, to
+    the open window; False if there is none.
 
     Raises ForeignSocket if another user's program listens, GlovetrackError for an invalid answer.
     """
-    request = {"open": str(session.resolve()) if session is not None else ""}
+    request: dict[str, Any] = {"open": str(session.resolve()) if session is not None else ""}
+    if at is not None:
+        request["at"] = at
     answer = _converse(request, name, WAIT_MS)
     if answer not in (b"", ANSWER):
         raise GlovetrackError(f"{NOT_A_WINDOW} Close it, then start Glovetrack again.")
@@ -95,14 +99,15 @@ def _connected_to(name: str) -> QLocalSocket | None:
 
 
 class Instance(QObject):
-    """Accepts later starts; ``asked``: path of the session, or "" to show the window.
+    """Accepts later starts; ``asked``: path of the session, or "" to show the window, and the time
+    in s at which the replay is paused, or None.
 
     Raises ForeignSocket, or DiskError if no private socket can be created.
 
     ``answer``, once there is a window, handles requests in JSON and returns answers in JSON.
     """
 
-    asked = Signal(str)
+    asked = Signal(str, object)
     answer: Callable[[str], str] | None = None
 
     def __init__(self, name: str | None = None, parent: QObject | None = None) -> None:
@@ -151,16 +156,17 @@ class Instance(QObject):
         try:
             request = json.loads(bytes(socket.readLine().data()))
             path, wish = request.get("open"), request.get("remote")
+            at = request.get("at")
         except (ValueError, AttributeError):
             socket.abort()
             return
         if isinstance(wish, dict) and self.answer is not None:
             socket.write(self.answer(json.dumps(wish)).encode() + b"\n")
             socket.flush()
-        elif isinstance(path, str):
+        elif isinstance(path, str) and _is_time(at):
             socket.write(ANSWER)
             socket.flush()
-            self.asked.emit(path)
+            self.asked.emit(path, at)
         else:
             socket.abort()
 
@@ -170,6 +176,11 @@ class Instance(QObject):
             socket.abort()
         self._sockets.clear()
         self._server.close()
+
+
+def _is_time(at: object) -> bool:
+    """Whether it is a time of a session, or None."""
+    return at is None or (isinstance(at, int | float) and math.isfinite(at))
 
 
 def _is_served(name: str) -> bool:

@@ -55,13 +55,13 @@ def hardware_factory(settings: AppSettings) -> SetupFactory:
     return build
 
 
-def replay_factory(path: Path) -> SetupFactory:
-    """A recorded session."""
+def replay_factory(path: Path, at: float | None = None) -> SetupFactory:
+    """A recorded session, paused at ``at`` s if that is given."""
 
     def build(progress: JobProgress) -> EngineSetup:
         from app.engines.replay.engine import open_replay  # deferred: loads codecs
 
-        return open_replay(path, progress)
+        return open_replay(path, progress, at)
 
     return build
 
@@ -124,10 +124,16 @@ class Sources(QObject):
         self._live = self.open_devices
         self.devices_asked.emit()
 
-    def open_session(self, path: Path) -> None:
-        """Replay a file in the same panels; a file that cannot be read changes nothing."""
+    def open_session(self, path: Path, at: float | None = None) -> None:
+        """Replay a file in the same panels, paused at ``at`` s if that is given; a file that cannot
+        be read changes nothing. One that is open already is only moved to ``at``."""
+        setup = self._host.setup
+        player = setup.player if setup is not None else None
+        if at is not None and player is not None and player.path.absolute() == path.absolute():
+            player.pause_at(at)
+            return
         title = self.tr("Opening {}").format(path.name)
-        self._open(Opening(path.name, title, replay_factory(path), keep=True))
+        self._open(Opening(path.name, title, replay_factory(path, at), keep=True))
 
     @property
     def can_go_live(self) -> bool:
@@ -148,14 +154,15 @@ class Sources(QObject):
         if path:
             self.open_session(Path(path))
 
-    def take_over(self, path: str) -> None:
-        """Handle a second start of the program: open its session, or (empty) come to the front."""
+    def take_over(self, path: str, at: float | None = None) -> None:
+        """Handle a second start of the program: open its session, paused at ``at`` s if that is
+        given, or (empty) come to the front."""
         window = self._window
         window.setWindowState(window.windowState() & ~Qt.WindowState.WindowMinimized)
         window.raise_()
         window.activateWindow()
         if path:
-            self.open_session(Path(path))
+            self.open_session(Path(path), at)
 
     def _choose_engine(self, setup: EngineSetup) -> None:
         """Track with the engine used last; incomplete devices have one that works with them."""

@@ -76,6 +76,10 @@ def _check(options: WindowOptions) -> None:
     with_doors(ConnectionSettings(), options.remote, options.remote_host)
     if options.wearer is not None:
         read_text(options.wearer)
+    if options.at is not None and options.session is None:
+        raise ConfigError("--at requires a session.")
+    if options.at is not None and not 0.0 <= options.at < float("inf"):
+        raise ConfigError("--at requires a number of seconds, 0 or greater.")
     if options.headless_report is None:
         return
     if options.session is not None:
@@ -112,7 +116,7 @@ def _report(options: WindowOptions, seconds: float) -> int:
 
 
 def _run(app: QApplication, options: WindowOptions) -> int:
-    if not options.demo and hand_over(options.session):
+    if not options.demo and hand_over(options.session, options.at):
         return 0  # the open window shows it
     store = SettingsStore()
     install(app, store.value.language)
@@ -152,7 +156,7 @@ def _show(
             window.host.opened.connect(lambda _setup: window.show_panel("applications"), SingleShot)
         window.sources.open_demo(_demo(options), camera)
     elif options.session is not None:
-        window.sources.open_session(options.session)
+        window.sources.open_session(options.session, options.at)
     elif options.devices:
         window.sources.open_devices()
     return app.exec()

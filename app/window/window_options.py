@@ -18,6 +18,10 @@ class WindowOptions:
     """Options of ``glovetrack window``, ``demo`` and ``devices``, for this run alone."""
 
     session: Path | None = field(default=None, metadata=argument("session to replay", "session"))
+    at: float | None = field(
+        default=None,
+        metadata=argument("pause the replay at this time of the session", metavar="SECONDS"),
+    )
     demo: bool = field(default=False, metadata=argument("start a simulated glove and camera"))
     devices: bool = field(default=False, metadata=argument("connect to the glove and the camera"))
     baud: int | None = field(

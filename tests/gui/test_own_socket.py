@@ -129,7 +129,7 @@ def test_a_squatted_folder_is_reported(shared, monkeypatch, name, squatted, caps
         folder.mkdir()
         folder.chmod(0o777)
     with pytest.raises(ForeignSocket, match="folder of your own"):
-        hand_over(None, name)
+        hand_over(None, name=name)
     assert main(["remote", "start"]) == 1
     assert "folder of your own" in capsys.readouterr().err
 
@@ -161,7 +161,7 @@ def test_another_users_listener_is_rejected(shared, monkeypatch, name, capsys):
     stranger = Stranger(shared / "s", NOBODY, '{"ok": true, "do": "start", "text": "Trust me."}')
     try:
         (shared / "s").rename(address)
-        for approach in (lambda: hand_over(None, name), lambda: ask({"do": "start"}, name)):
+        for approach in (lambda: hand_over(None, name=name), lambda: ask({"do": "start"}, name)):
             with pytest.raises(ForeignSocket, match="belongs to another user"):
                 approach()
         with pytest.raises(ForeignSocket):
@@ -177,7 +177,7 @@ def test_another_users_listener_is_rejected(shared, monkeypatch, name, capsys):
 def test_another_user_cannot_connect_to_the_window(shared, monkeypatch, name, qtbot):
     no_login_folder(monkeypatch)
     instance, asked = Instance(name), []
-    instance.asked.connect(asked.append)
+    instance.asked.connect(lambda path, _at: asked.append(path))
     address = Path(addresses(name)[0])
     try:
         for opened in (False, True):  # even if the folder is made accessible later
@@ -199,7 +199,7 @@ def test_an_answer_of_another_format_is_rejected(shared, monkeypatch, name):
     no_login_folder(monkeypatch)
     stranger = Stranger(Path(addresses(name)[0]), os.getuid(), "\x1b[2J I am the window")
     try:
-        for approach in (lambda: hand_over(None, name), lambda: ask({"do": "start"}, name)):
+        for approach in (lambda: hand_over(None, name=name), lambda: ask({"do": "start"}, name)):
             with pytest.raises(GlovetrackError, match="not a Glovetrack window"):
                 approach()
     finally:
@@ -225,7 +225,7 @@ def test_the_grammar_of_answers():
 
 def test_the_socket_serves_its_own_user(name, qtbot):
     instance, asked = Instance(name), []
-    instance.asked.connect(asked.append)
+    instance.asked.connect(lambda path, _at: asked.append(path))
     try:
         socket = QLocalSocket()
         socket.connectToServer(addresses(name)[0])

@@ -379,6 +379,29 @@ def test_replayed_events_affect_neither_the_log_nor_live_commands(
         assert not window.commands.actions[key].isEnabled(), key
 
 
+def test_a_session_opens_paused_at_an_instant_and_goes_to_another(window, sessions, frames, qtbot):
+    """The hand and the image are those of the instant: estimates come every 5 to 10 ms."""
+
+    def shows(position: float) -> bool:
+        setup = window.host.setup
+        if setup is None or setup.player.images_due or setup.player.seek_to is not None:
+            return False
+        hand, frame = setup.tracked.latest_estimate(), setup.tracked.latest_frame()
+        at = setup.engine.start_t + position
+        due = [f for f in frames if f.t_arrival <= at][-1]
+        return frame is not None and frame[1].t == due.t and at - 0.02 < hand.t <= at + 1e-6
+
+    window.sources.open_session(sessions["chain"], 1.5)
+    qtbot.waitUntil(lambda: shows(1.5), timeout=30_000)
+    setup = window.host.setup
+    assert setup.player.position == 1.5 and not setup.player.playing
+    setup.player.play(True)
+    window.sources.open_session(sessions["chain"], 0.75)
+    qtbot.waitUntil(lambda: shows(0.75), timeout=30_000)
+    assert window.host.setup is setup, "it was opened again"
+    assert setup.player.position == 0.75 and not setup.player.playing
+
+
 class Held:
     """A player at the requested time, with these notes (s)."""
 

@@ -12,6 +12,7 @@ from PySide6.QtNetwork import QLocalSocket
 
 from app.platform.own_socket import addresses
 from app.platform.single_instance import Instance, hand_over
+from tracker.cli import main
 from tracker.offline.simulate import SimulateOptions, simulate
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -27,12 +28,13 @@ opened = MainWindow._opened
 
 def tell(window, setup):
     opened(window, setup)
-    print("opened", setup.name, flush=True)
+    player = setup.player
+    print("opened", setup.name, "playing" if player.playing else player.seek_to, flush=True)
     QTimer.singleShot(200, window.close)
 
 MainWindow._opened = tell
 from app.__main__ import main
-sys.exit(main([]))
+sys.exit(main(sys.argv[1:]))
 """
 
 
@@ -65,16 +67,31 @@ def test_a_second_start_opens_its_file_in_the_first_window(home, session_file, q
             while not hand_over(None):  # until the first one listens
                 assert first.poll() is None and time.monotonic() < deadline
                 time.sleep(0.1)
-            words = [sys.executable, "-m", "app", str(session_file)]
+            words = [sys.executable, "-m", "app", str(session_file), "--at", "0.5"]
             second = subprocess.run(words, env=home, timeout=START_S, check=False)
             assert second.returncode == 0
             output, _ = first.communicate(timeout=END_S)
         finally:
             first.kill()
-    assert "opened P01.mcap" in output
+    assert "opened P01.mcap 0.5" in output
     assert first.returncode == 0
     logs = Path(home["XDG_STATE_HOME"]) / "glovetrack" / "log"
     assert [p.name for p in logs.glob("*-*.log")] == []  # neither running nor crashed
+
+
+def test_a_start_with_a_time_opens_its_file_paused_there(home, session_file, qapp):
+    command = [sys.executable, "-c", FIRST, str(session_file), "--at", "0.25"]
+    first = subprocess.run(
+        command, env=home, capture_output=True, text=True, timeout=START_S, check=False
+    )
+    assert (first.returncode, first.stdout.strip()) == (0, "opened P01.mcap 0.25")
+
+
+@pytest.mark.parametrize("words", [["--at", "1"], ["a.mcap", "--at", "-1"], ["a.mcap", "--at=nan"]])
+def test_a_time_without_a_session_or_outside_it_is_refused(words, capsys):
+    with pytest.raises(SystemExit) as end:
+        main(words)
+    assert end.value.code == 2 and "--at requires" in capsys.readouterr().err
 
 
 def test_leftovers_of_a_crashed_window_do_not_stop_the_next(qtbot):
@@ -82,7 +99,7 @@ def test_leftovers_of_a_crashed_window_do_not_stop_the_next(qtbot):
     stale = Path(addresses(name)[0])
     if sys.platform != "win32":
         stale.write_bytes(b"")
-    assert not hand_over(None, name)
+    assert not hand_over(None, name=name)
     instance = Instance(name)
     try:
         assert instance.listening
@@ -94,7 +111,7 @@ def test_leftovers_of_a_crashed_window_do_not_stop_the_next(qtbot):
 def test_a_second_window_leaves_the_socket_to_the_first(qtbot):
     name = f"glovetrack-test-{uuid.uuid4().hex}"
     first, asked = Instance(name), []
-    first.asked.connect(asked.append)
+    first.asked.connect(lambda *what: asked.append(what))
     second = Instance(name)
     try:
         assert (first.listening, second.listening) == (True, False)
@@ -106,9 +123,15 @@ def test_a_second_window_leaves_the_socket_to_the_first(qtbot):
 def test_invalid_data_on_the_socket_are_rejected(qtbot):
     name = f"glovetrack-test-{uuid.uuid4().hex}"
     instance, asked = Instance(name), []
-    instance.asked.connect(asked.append)
+    instance.asked.connect(lambda *what: asked.append(what))
     try:
-        for nonsense in (b"[]\n", b"{}\n", b"\xff\n", b'{"open": 3}\n'):
+        for nonsense in (
+            b"[]\n",
+            b"{}\n",
+            b"\xff\n",
+            b'{"open": 3}\n',
+            b'{"open": "a", "at": "b"}\n',
+        ):
             socket = QLocalSocket()
             socket.connectToServer(addresses(name)[0])
             assert socket.waitForConnected(2000)

@@ -115,8 +115,8 @@ def _first_colours(info: SessionInfo, path: Path) -> ColourProfile:
     return parse_profile(info.colours_text or default, f"{path.name}, colours.toml")
 
 
-def open_replay(path: Path, progress: JobProgress) -> EngineSetup:
-    """Open a session file for the window. Raises FileError."""
+def open_replay(path: Path, progress: JobProgress, at: float | None = None) -> EngineSetup:
+    """Open a session file for the window, paused at ``at`` s if that is given. Raises FileError."""
     progress(-1.0, path.name)
     warm_up_view()
     engine = ReplayEngine(path)
@@ -127,6 +127,8 @@ def open_replay(path: Path, progress: JobProgress) -> EngineSetup:
     except GlovetrackError:
         engine.close()
         raise
+    if at is not None:
+        engine.player.pause_at(at)
     setups = [
         EngineSetup(
             name=path.name,

@@ -30,6 +30,11 @@ class Transport:
     def seek(self, position: float) -> None:
         self.seek_to = self.clamped(position)
 
+    def pause_at(self, position: float) -> None:
+        """Show this instant."""
+        self.playing = False
+        self.seek(position)
+
     def play(self, on: bool) -> None:
         start, stop = self.range
         if on and not start <= self.position < stop - 1e-3:
