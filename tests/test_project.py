@@ -250,6 +250,7 @@ CLOCKS = {
     "tracker/streaming/streams.py": "how many a second were sent, for display",
     "extensions/lsl/outlet.py": "the default of a clock that is handed over",
     "extensions/landmarks/lines.py": "when it connects again",
+    "extensions/study/simulated.py": "when a trial was recorded",
     "extensions/ros2/glovetrack_ros/glovetrack_ros/convert.py": "stamps of schema 1",
     "extensions/vr/opengloves.py": "when it opens the pipe again",
     "extensions/vr/vmt.py": "how long it waits for the driver",

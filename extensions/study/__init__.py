@@ -1,0 +1,1 @@
+"""Studies: a protocol file, its trials with verdicts, and their data set, report and tables."""

@@ -1,0 +1,248 @@
+"""Leads a participant through the steps: a state machine that has neither a clock nor a screen.
+
+Its owner calls `Conductor.tick` with the time in s and shows what the properties say. A `Station`
+records; its owner reports when a file is complete (`recorded`) and the verdict on it (`judged`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from enum import StrEnum
+from pathlib import Path
+from typing import Protocol as Interface
+
+from extensions.study.progress import RECORDED, Progress
+from extensions.study.protocol import Task
+from extensions.study.schedule import PRACTICE, REST, TRIAL, Cue, Step
+from extensions.study.verdict import Verdict
+
+
+class Phase(StrEnum):
+    """``READY``: the instruction is shown until the experimenter goes on; ``RUNNING``: cues;
+    ``CHECKING``: the file is being completed and judged; ``VERDICT``: accept or repeat."""
+
+    READY = "ready"
+    COUNTDOWN = "countdown"
+    RUNNING = "running"
+    CHECKING = "checking"
+    VERDICT = "verdict"
+    REST = "rest"
+    DONE = "done"
+
+
+class Station(Interface):
+    """What records the trials."""
+
+    def begin(self, path: Path, step: Step) -> None:
+        """Begin a file. Raises GlovetrackError."""
+
+    def note(self, text: str, data: Mapping[str, object]) -> None:
+        """Write an event into the file."""
+
+    def end(self) -> None:
+        """End the file, which may take some time."""
+
+    def stamp(self) -> str:
+        """The present date and time, UTC (ISO 8601)."""
+
+
+class Conductor:
+    """The participant's remaining steps; interrupted trials have been opened again before."""
+
+    def __init__(self, progress: Progress, station: Station) -> None:
+        self.progress, self._station = progress, station
+        self.phase = Phase.READY
+        self.verdict: Verdict | None = None
+        self.rest_left = 0.0  # s
+        self.paused = False
+        self._since = self._last = 0.0
+        self._shown = 0  # cues so far
+        self._enter()
+
+    # ---- what to show
+
+    @property
+    def step(self) -> Step | None:
+        """The present step; None at the end."""
+        return self.progress.step
+
+    @property
+    def task(self) -> Task | None:
+        """The task of the present trial."""
+        step = self.step
+        return self.progress.protocol.tasks[step.task] if step is not None and step.task else None
+
+    @property
+    def cue(self) -> Cue | None:
+        """What the participant is to do now."""
+        step = self.step
+        if self.phase is not Phase.RUNNING or step is None or not self._shown:
+            return None
+        return step.cues[self._shown - 1]
+
+    @property
+    def next_cue_in(self) -> float:
+        """s until the next cue, or the end of the trial; infinite if it ends by hand."""
+        step = self.step
+        if step is None or self.phase is not Phase.RUNNING:
+            return float("inf")
+        if self._shown < len(step.cues):
+            return max(step.cues[self._shown].t - self.elapsed, 0.0)
+        return max(step.duration - self.elapsed, 0.0) if step.duration else float("inf")
+
+    @property
+    def elapsed(self) -> float:
+        """s since the phase began."""
+        return self._last - self._since
+
+    @property
+    def countdown_left(self) -> float:
+        """s until the trial begins."""
+        return max(self.progress.protocol.countdown - self.elapsed, 0.0)
+
+    @property
+    def tries(self) -> int:
+        """Recordings of the present trial so far, without interrupted ones."""
+        tries = self.progress.entry(self.step).tries if self.step is not None else []
+        return sum(one.outcome != "interrupted" for one in tries)
+
+    # ---- what the experimenter does
+
+    def go_on(self, t: float) -> None:
+        """Begin the trial, end one that has no fixed duration, accept it, or end a rest."""
+        self._last = t
+        match self.phase:
+            case Phase.READY if not self.paused:
+                self._change(Phase.COUNTDOWN, t)
+                self.tick(t)
+            case Phase.RUNNING if self.step is not None and self.step.duration == 0:
+                self._end_trial(t)
+            case Phase.VERDICT:
+                self._accept()
+            case Phase.REST:
+                self._finish_rest()
+
+    def repeat(self, t: float) -> None:
+        """Record the judged trial again."""
+        if self.phase is Phase.VERDICT and self.step is not None:
+            self.progress.repeat(self.step)
+            self._since = self._last = t
+            self._enter()
+
+    def give_up(self) -> None:
+        """The judged trial counts as failed: its recording remains, and is not evaluated."""
+        if self.phase is Phase.VERDICT and self.step is not None:
+            self.progress.accept(self.step, failed=True)
+            self._enter()
+
+    def pause(self, t: float) -> None:
+        """Pause, or go on. A running trial is interrupted, and repeated after the pause; a rest
+        does not count down meanwhile."""
+        self._last = t
+        self.paused = not self.paused
+        if self.phase is Phase.COUNTDOWN:
+            self._change(Phase.READY, t)
+        elif self.phase is Phase.RUNNING:
+            self.interrupt(t)
+
+    def interrupt(self, t: float) -> None:
+        """Stop a running trial: its recording is superseded by the next one."""
+        step, self._last = self.step, t
+        if step is None or self.phase is not Phase.RUNNING:
+            return
+        if step.kind == TRIAL:
+            self._station.end()
+            self.progress.repeat(step, "interrupted")
+        self._change(Phase.READY, t)
+
+    # ---- time, and what the owner reports
+
+    def tick(self, t: float) -> None:
+        """Time is now ``t`` s."""
+        passed, self._last = max(t - self._last, 0.0), t
+        if self.phase is Phase.COUNTDOWN and self.countdown_left <= 0:
+            self._begin_trial(t)
+        elif self.phase is Phase.RUNNING:
+            self._show_cues(t)
+        elif self.phase is Phase.REST and not self.paused:
+            self.rest_left -= passed
+            if self.rest_left <= 0:
+                self._finish_rest()
+
+    def recorded(self) -> None:
+        """The file of the trial is complete."""
+        if self.phase is Phase.CHECKING and self.step is not None:
+            self.progress.recorded(self.step)
+
+    def judged(self, verdict: Verdict) -> None:
+        """The verdict on the trial's file."""
+        if self.phase is Phase.CHECKING and self.step is not None:
+            self.progress.judged(self.step, verdict.as_json())
+            self.verdict, self.phase = verdict, Phase.VERDICT
+
+    # ----
+
+    def _enter(self) -> None:
+        """Enter the first phase of the present step."""
+        step, self.verdict, self._shown = self.step, None, 0
+        self._since = self._last
+        if step is None:
+            self.phase = Phase.DONE
+        elif step.kind == REST:
+            self.phase, self.rest_left = Phase.REST, step.duration
+        elif self.progress.entry(step).state == RECORDED:
+            self.phase = Phase.CHECKING  # the program ended before the decision
+        else:
+            self.phase = Phase.READY
+
+    def _change(self, phase: Phase, t: float) -> None:
+        self.phase, self._since, self._last, self._shown = phase, t, t, 0
+
+    def _begin_trial(self, t: float) -> None:
+        step = self.step
+        assert step is not None
+        if step.kind == TRIAL:
+            self._change(Phase.READY, t)  # in case the recording cannot begin
+            path = self.progress.begin(step, self._station.stamp())
+            try:
+                self._station.begin(path, step)
+            except BaseException:
+                self.progress.repeat(step, "interrupted")
+                raise
+        self._change(Phase.RUNNING, t)
+        self._show_cues(t)
+
+    def _show_cues(self, t: float) -> None:
+        step = self.step
+        assert step is not None
+        while self._shown < len(step.cues) and step.cues[self._shown].t <= self.elapsed + 1e-9:
+            cue, self._shown = step.cues[self._shown], self._shown + 1
+            if step.kind == TRIAL:
+                self._station.note(
+                    cue.what,
+                    {"study_cue": self._shown, "trial": step.name},
+                )
+        task = self.task
+        assert task is not None
+        if self.elapsed >= (step.duration or task.longest) and task.kind == "cues":
+            self._end_trial(t)
+
+    def _end_trial(self, t: float) -> None:
+        step = self.step
+        assert step is not None
+        if step.kind == PRACTICE:
+            self.progress.done(step)
+            self._enter()
+            return
+        self._change(Phase.CHECKING, t)
+        self._station.end()
+
+    def _accept(self) -> None:
+        assert self.step is not None
+        self.progress.accept(self.step)
+        self._enter()
+
+    def _finish_rest(self) -> None:
+        assert self.step is not None
+        self.progress.done(self.step)
+        self._enter()
