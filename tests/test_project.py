@@ -196,6 +196,7 @@ THREADS = {
     "extensions/lsl/markers.py": "reads markers of other programs",
     "extensions/room/doors.py": "reads poses of other systems",
     "extensions/room/lsl_poses.py": "reads poses of other systems",
+    "extensions/room/vrpn_poses.py": "reads poses of other systems",
     "tracker/streaming/remote/doors.py": "stamps requests as they arrive",
     "tracker/streaming/server_thread.py": "the event loop of a server",
     "tracker/streaming/streams.py": "one for each output, which may hang",

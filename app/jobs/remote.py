@@ -260,6 +260,10 @@ class RemoteControl(Connections[DoorKind[Any], ConnectionSettings]):
         door = self._openings.get(name)
         return door.counts() if door is not None else None
 
+    def door(self, name: str) -> Door | None:
+        """An open server; None if it is not open."""
+        return self._openings.get(name)
+
     def _open_all(self) -> None:
         for name in self._on():
             self._apply(name)

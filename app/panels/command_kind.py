@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from PySide6.QtWidgets import QDialog, QWidget
 
     from app.engines.engine_host import EngineHost
+    from app.jobs.remote import RemoteControl
     from app.platform.tasks import TaskOwner
     from app.storage.settings import SettingsStore
 
@@ -21,6 +22,7 @@ class CommandContext:
     """What a command can use.
 
     ``show_dialog(name, make)`` shows a dialog, or brings an open one of that name to the front.
+    ``remote``: remote control, with its settings.
     ``recordings``: the selected recordings, for a command on recordings.
     """
 
@@ -29,6 +31,7 @@ class CommandContext:
     tasks: TaskOwner
     window: QWidget
     show_dialog: Callable[[str, Callable[[], QDialog]], None]
+    remote: RemoteControl
     recordings: Sequence[Path] = ()
 
 

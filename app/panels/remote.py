@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from PySide6.QtWidgets import (
+    QDialog,
     QGroupBox,
     QHBoxLayout,
     QLabel,
     QLineEdit,
+    QPushButton,
     QVBoxLayout,
     QWidget,
 )
 
 from app.jobs.remote import RemoteControl
 from app.panels.connection_table import ConnectionTable
-from app.viewmodels.streams import door_row, is_loopback
+from app.viewmodels.streams import door_row, is_loopback, option_fields
+from app.widgets.options_dialog import OptionsDialog
 from app.words import tr
 
 
@@ -26,6 +31,7 @@ class RemoteBox(QGroupBox):
             self.tr("Remote control: other programs start and stop recordings and add notes")
         )
         self._remote = remote
+        self.options: dict[str, QPushButton] = {}
         column = QVBoxLayout(self)
         column.addLayout(self._address())
         column.addLayout(self._table())
@@ -73,9 +79,26 @@ class RemoteBox(QGroupBox):
         for name, kind in self._remote.kinds.items():
             port = self._remote.set_port if kind.has("port") else None
             table.add(name, tr(kind.title), self._remote.switch, port)
+            if option_fields(kind):
+                table.put_at_end(name, self._options_button(name))
         self.table = table
         self.boxes, self.ports, self.cells = table.boxes, table.ports, table.cells
         return table
+
+    def _options_button(self, name: str) -> QPushButton:
+        title = tr(self._remote.kinds[name].title)
+        button = self.options[name] = QPushButton(self.tr("Options…"))
+        button.setAccessibleName(self.tr("Options of {}").format(title))
+        button.clicked.connect(partial(self._edit_options, name))
+        return button
+
+    def _edit_options(self, name: str) -> None:
+        kind = self._remote.kinds[name]
+        fields = option_fields(kind, self._remote.settings.options(kind))
+        dialog = OptionsDialog(tr(kind.title), fields, self)
+        if dialog.exec() == QDialog.DialogCode.Accepted:
+            for option, value in dialog.changed().items():
+                self._remote.set_option(name, option, value)
 
     def show_state(self) -> None:
         """Show the current state, which the command line may have changed."""

@@ -91,7 +91,8 @@ def all_words(root: Path = ROOT) -> dict[str, str]:
         for text in filter(None, (kind.title, kind.note, *helps)):
             found.setdefault(text, STREAMS.group)
     for door in door_kinds().values():
-        found.setdefault(door.title, DOORS.group)
+        for text in filter(None, (door.title, *door.fields.values())):
+            found.setdefault(text, DOORS.group)
     for form in formats():
         found.setdefault(form.title, FORMATS.group)
     for text in (*all_templates().values(), *WORDS):

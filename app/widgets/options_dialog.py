@@ -52,12 +52,10 @@ class OptionsDialog(QDialog):
         self.fields: dict[str, QWidget] = {}
         form = QFormLayout(self)
         for each in options:
-            widget, self._read[each.name] = _field(each.value, each.choices)
+            widget, self._read[each.name] = option_widget(each.value, each.choices)
             self.fields[each.name] = widget
-            label = tr(each.help)
-            widget.setAccessibleName(label)
-            is_unit = label[1:2] == " "  # "m up"
-            form.addRow(label if is_unit else label[:1].upper() + label[1:], widget)
+            widget.setAccessibleName(tr(each.help))
+            form.addRow(option_label(each.help), widget)
         buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
         )
@@ -71,7 +69,14 @@ class OptionsDialog(QDialog):
         return {name: value for name, value in now.items() if value != self._before[name]}
 
 
-def _field(value: Any, choices: Sequence[Any]) -> tuple[QWidget, Callable[[], Any]]:
+def option_label(help: str) -> str:
+    """An option's help as the label of its field, in the user's language."""
+    label = tr(help)
+    is_unit = label[1:2] == " "  # "m up"
+    return label if is_unit else label[:1].upper() + label[1:]
+
+
+def option_widget(value: Any, choices: Sequence[Any]) -> tuple[QWidget, Callable[[], Any]]:
     """A widget with the value, and what reads it."""
     if choices:
         combo = QComboBox()

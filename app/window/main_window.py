@@ -111,7 +111,7 @@ class MainWindow(QMainWindow):
 
     def _make_panels(self) -> None:
         self.context = CommandContext(
-            self.host, self.store, self.tasks, self, self.set_up.show_once
+            self.host, self.store, self.tasks, self, self.set_up.show_once, self.remote
         )
         services = PanelServices(
             self.host,

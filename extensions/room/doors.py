@@ -10,7 +10,6 @@ import socket
 import struct
 import threading
 from collections.abc import Callable, Sequence
-from concurrent.futures import Future
 
 from extensions.osc.decode import OscError
 from extensions.room import natnet
@@ -18,60 +17,16 @@ from extensions.room.frames import UP_AXES, from_upright
 from extensions.room.natnet import NatNetError, Version
 from extensions.room.osc_poses import PoseReader, RoomPose
 from extensions.room.placement import Placement
+from extensions.room.taker import PoseTaker
 from tracker.base.clock import monotonic
 from tracker.base.errors import ConfigError
 from tracker.base.notices import failure, notice
 from tracker.streaming.connection import StreamError
-from tracker.streaming.remote.reception import Allowance, Answer, DoorCounts
-from tracker.streaming.remote.request import Reply, Request
+from tracker.streaming.remote.reception import Answer, DoorCounts
 
 WAIT = 0.2  # s between checks whether the door was closed
-MOST_HZ = 2000.0  # poses of all trackers; more would only load the computer
 MOST_BYTES = 65536
 CONNECT_EVERY = 1.0  # s between requests for a server's description, and to keep its stream
-REFUSED = "wrist"
-
-
-class PoseTaker:
-    """Passes poses on and counts them; calls come from one thread."""
-
-    def __init__(self, answer: Answer, placement: Placement) -> None:
-        self._answer, self._placement = answer, placement
-        self._allowance = Allowance(MOST_HZ, monotonic())
-        self._peers: dict[str, float] = {}
-        self.asked = self.refused = 0
-
-    def take(self, poses: Sequence[RoomPose], t: float, peer: str) -> None:
-        """Poses that were measured at ``t`` (s)."""
-        for pose in poses:
-            if not self._allowance.take(monotonic()):
-                self.refused += 1
-                continue
-            for message in self._placement.of(pose, t):
-                self.asked += 1
-                self._note_peer(peer)
-                request = Request(REFUSED, message.t, data={"pose": message}, side=message.side)
-                self._answer(request).add_done_callback(self._count)
-
-    def refuse(self) -> None:
-        """Counts a packet that cannot be read."""
-        self.refused += 1
-
-    def _note_peer(self, peer: str) -> None:
-        self._peers.pop(peer, None)
-        self._peers[peer] = monotonic()
-        while len(self._peers) > 8:
-            del self._peers[next(iter(self._peers))]
-
-    def _count(self, done: Future[Reply]) -> None:
-        if not done.cancelled() and not done.result().ok:
-            self.refused += 1
-
-    def counts(self, name: str, clients: int | None = None) -> DoorCounts:
-        """From any thread."""
-        now = monotonic()
-        peers = tuple((peer, now - t) for peer, t in list(self._peers.items()))
-        return DoorCounts(name, self.asked, self.refused, peers, clients)
 
 
 class UdpPoses:
@@ -86,7 +41,7 @@ class UdpPoses:
         read: Callable[[bytes], Sequence[RoomPose]],
         between: Callable[[float], None] = lambda now: None,
     ) -> None:
-        self._socket, self._taker, self._read, self._between = sock, taker, read, between
+        self._socket, self.taker, self._read, self._between = sock, taker, read, between
         sock.settimeout(WAIT)
         self.port = sock.getsockname()[1]
         self._name = f"{name} at {sock.getsockname()[0]}:{self.port}"
@@ -96,7 +51,7 @@ class UdpPoses:
         self._thread.start()
 
     def counts(self) -> DoorCounts:
-        return self._taker.counts(self._name)
+        return self.taker.counts(self._name)
 
     def close(self) -> None:
         self._ended.set()
@@ -119,9 +74,9 @@ class UdpPoses:
         try:
             poses = self._read(data)
         except (OscError, NatNetError):
-            self._taker.refuse()
+            self.taker.refuse()
             return
-        self._taker.take(poses, t, peer)
+        self.taker.take(poses, t, peer)
 
 
 def osc_door(answer: Answer, placement: Placement, host: str, port: int) -> UdpPoses:

@@ -63,8 +63,22 @@ class LslPoseOptions:
     rotation_deg: float = option(1.0, "standard deviation of rotations, degrees")
 
 
+@dataclass(frozen=True)
+class VrpnOptions:
+    server: str = option(LOOPBACK, "address of the computer that runs the VRPN server")
+    port: int = option(3883, "port of the server")
+    up: str = option("z", "axis of the server that points up", UPWARDS)
+    right: str = option("", "name of the right hand's tracker; any: every tracker")
+    left: str = option("", "name of the left hand's tracker; any: every tracker")
+    alignment: str = option("", ALIGNMENT)
+    yaw_deg: float = option(0.0, YAW)
+    delay_ms: float = option(0.0, DELAY)
+    position_mm: float = option(2.0, "standard deviation of positions, mm")
+    rotation_deg: float = option(1.0, "standard deviation of rotations, degrees")
+
+
 class _Shared(Protocol):
-    """What the options of all three have."""
+    """What the options of all have."""
 
     @property
     def right(self) -> str: ...
@@ -114,6 +128,12 @@ def _lsl(options: LslPoseOptions, answer: Answer) -> Door:
     return LslPoses(answer, _placement(options), options.type, options.up, options.network)
 
 
+def _vrpn(options: VrpnOptions, answer: Answer) -> Door:
+    from extensions.room.vrpn_poses import VrpnPoses
+
+    return VrpnPoses(answer, _placement(options), options.server, options.port, options.up)
+
+
 OSC = DoorKind(
     name="room", title="Wrist pose (VMC, OSC)", options=OscPoseOptions, make=_osc, order=30
 )
@@ -128,3 +148,4 @@ LSL = DoorKind(
     extra="glovetrack[streams]",
     order=32,
 )
+VRPN = DoorKind(name="vrpn", title="Wrist pose (VRPN)", options=VrpnOptions, make=_vrpn, order=33)

@@ -14,10 +14,10 @@ import numpy as np
 import pylsl
 
 from extensions.lsl.outlet import LOCAL_ONLY
-from extensions.room.doors import PoseTaker
 from extensions.room.frames import UP_AXES, from_upright
 from extensions.room.osc_poses import NO_ROTATION, RoomPose
 from extensions.room.placement import Placement
+from extensions.room.taker import PoseTaker
 from tracker.base.clock import monotonic
 from tracker.base.errors import ConfigError
 from tracker.base.notices import failure
@@ -42,7 +42,7 @@ class LslPoses:
             raise ConfigError(failure("room.unknown_axis", axis=up))
         if not network:
             pylsl.set_config_content(LOCAL_ONLY)
-        self._taker, self._kind, self._up = PoseTaker(answer, placement), kind, up
+        self.taker, self._kind, self._up = PoseTaker(answer, placement), kind, up
         self._clients = 0
         self._ended = threading.Event()
         self._thread = threading.Thread(target=self._run, name="glovetrack-remote-lsl-poses")
@@ -50,7 +50,7 @@ class LslPoses:
         self._thread.start()
 
     def counts(self) -> DoorCounts:
-        return self._taker.counts(f"LSL, streams of type {self._kind}", self._clients)
+        return self.taker.counts(f"LSL, streams of type {self._kind}", self._clients)
 
     def close(self) -> None:
         self._ended.set()
@@ -92,8 +92,8 @@ class LslPoses:
         if len(values) == 7:
             length = float(np.linalg.norm(values[3:]))
             if length < 0.5:
-                self._taker.refuse()
+                self.taker.refuse()
                 return
             q = values[3:] / length
         pose = RoomPose(name, *from_upright(values[:3], q, self._up))
-        self._taker.take([pose], min(t, now), name)
+        self.taker.take([pose], min(t, now), name)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -41,15 +42,38 @@ def recorded_movement(
     if not turned:
         raise FileError(failure("room.no_rotations", file=path.name, side=info.side))
     inside_B = [m for m in inside if isinstance(m, ImuSample)]
-    t_B, R_GB, speed = root_movement(inside_B, info.hand, info.glove)
-    return info.side, Moved(
+    track = Track(
+        np.array([p.t for p in turned]),
+        np.array([p.p_GT for p in turned]),
+        np.array([p.q_GT for p in turned]),
+    )
+    return info.side, moved_by(inside_B, track, info.hand, info.glove)
+
+
+class Track(NamedTuple):
+    """Poses of a tracker: t (M,) s, which increase, p_WT (M, 3) m and q_WT (M, 4) xyzw."""
+
+    t: Array
+    p_WT: Array
+    q_WT: Array
+
+
+def moved_by(
+    samples: Sequence[ImuSample], track: Track, hand: HandModel, glove: GloveModel
+) -> Moved:
+    """The movement that a glove's packets and a tracker's poses measured.
+
+    Raises FileError for a glove without an IMU on the root segment.
+    """
+    t_B, R_GB, speed = root_movement(samples, hand, glove)
+    return Moved(
         t_B=t_B,
         R_GB=R_GB,
         speed=speed,
-        t_T=np.array([p.t for p in turned]),
-        R_WT=so3.matrix_from_quat(np.array([p.q_GT for p in turned])),
-        p_WT=np.array([p.p_GT for p in turned]),
-        w_B=info.hand.keypoint_offset[0].copy(),  # of the wrist, the hand's first keypoint
+        t_T=track.t,
+        R_WT=so3.matrix_from_quat(track.q_WT),
+        p_WT=track.p_WT,
+        w_B=hand.keypoint_offset[0].copy(),  # of the wrist, the hand's first keypoint
     )
 
 

@@ -27,5 +27,26 @@ TEXTS = {
     ),
     "room.no_root_imu": "The glove has no IMU on the segment {segment}. It cannot be aligned.",
     "room.bad_alignment": "{file} is not an alignment: {why}.",
+    "room.no_packets": "No packets of the glove arrived. Check that it is connected.",
+    "room.not_received": (
+        "No poses of the tracker {name} arrived. Test the source, and check the tracker's name."
+    ),
+    "room.only_positions": (
+        "The tracker {name} has positions, but no rotations. It cannot be aligned."
+    ),
+    "room.test_no_connection": (
+        "{address}: there is no connection. Check that the program runs there, the address, and "
+        "the firewall."
+    ),
+    "room.test_nothing": (
+        "{address}: nothing was received in {seconds:.0f} s. Check that the other program sends "
+        "to this address, and the firewall."
+    ),
+    "room.test_unreadable": (
+        "{address}: {count} packets were received that are not poses of this protocol."
+    ),
+    "room.test_missing": "Poses arrive, but none of {names}. Choose one of these trackers:",
+    "room.test_unnamed": "Poses of {count} trackers arrive. Choose the tracker on each hand:",
+    "room.test_received": "Poses of {count} trackers arrive:",
     "room.unknown_axis": "The axis {axis} cannot point up. Choose y or z.",
 }

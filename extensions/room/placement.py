@@ -30,6 +30,11 @@ class PoseOptions:
     rotation_sd: float = 0.02  # rad
 
 
+def is_named(wanted: str, name: str) -> bool:
+    """Whether a tracker of this name is the one that is wanted."""
+    return bool(name) and wanted in (name, ANY)
+
+
 class Placement:
     """Chooses the trackers that are on hands, and makes the messages of their poses."""
 
@@ -42,8 +47,7 @@ class Placement:
         return [self._message(pose, side, t) for side in SIDES if self._is_on(side, pose.name)]
 
     def _is_on(self, side: str, name: str) -> bool:
-        wanted = self._options.names.get(side, "")
-        return wanted == name or (wanted == ANY and bool(name))
+        return is_named(self._options.names.get(side, ""), name)
 
     def _message(self, pose: RoomPose, side: str, t: float) -> WristPose:
         o = self._options

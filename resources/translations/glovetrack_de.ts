@@ -2389,6 +2389,11 @@
     </message>
     <message>
       <location filename="app/panels/remote.py" />
+      <source>Options…</source>
+      <translation>Optionen…</translation>
+    </message>
+    <message>
+      <location filename="app/panels/remote.py" />
       <source>Protocol</source>
       <translation>Protokoll</translation>
     </message>
@@ -2406,6 +2411,11 @@
       <location filename="app/panels/remote.py" />
       <source>Requests</source>
       <translation>Anfragen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/remote.py" />
+      <source>Options of {}</source>
+      <translation>Optionen von {}</translation>
     </message>
     <message>
       <location filename="app/panels/sensors.py" />
@@ -2646,11 +2656,6 @@
       <location filename="app/panels/streams.py" />
       <source>Test {}</source>
       <translation>{} testen</translation>
-    </message>
-    <message>
-      <location filename="app/panels/streams.py" />
-      <source>Options of {}</source>
-      <translation>Optionen von {}</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
@@ -8115,6 +8120,181 @@ change {}: {}</source>
       <translation>Latenz {} ms (99 %)</translation>
     </message>
     <message>
+      <location filename="extensions/room/window/align_box.py" />
+      <source>Aligning the tracker</source>
+      <translation>Tracker ausrichten</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/align_box.py" />
+      <source>Alignment: where the tracker is on the hand</source>
+      <translation>Ausrichtung: wo der Tracker auf der Hand sitzt</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/align_box.py" />
+      <source>&amp;Start the movement</source>
+      <translation>Bewegung &amp;beginnen</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/align_box.py" />
+      <source>Store the alignment and use it from now on</source>
+      <translation>Die Ausrichtung speichern und ab jetzt verwenden</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/align_box.py" />
+      <source>Progress of the movement</source>
+      <translation>Fortschritt der Bewegung</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/align_box.py" />
+      <source>No alignment is in use.</source>
+      <translation>Keine Ausrichtung wird verwendet.</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/align_box.py" />
+      <source>Computing the alignment…</source>
+      <translation>Ausrichtung wird berechnet …</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/align_box.py" />
+      <source>Connect the glove and start tracking first</source>
+      <translation>Verbinden Sie zuerst den Handschuh und starten Sie das Tracking</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/align_box.py" />
+      <source>Choose the tracker on this hand first.</source>
+      <translation>Wählen Sie zuerst den Tracker an dieser Hand.</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/align_box.py" />
+      <source>In use: {}</source>
+      <translation>Verwendet wird: {}</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/align_box.py" />
+      <source>{} packets of the glove, {} poses</source>
+      <translation>{} Pakete des Handschuhs, {} Posen</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/align_box.py" />
+      <source>Saved, and in use: {}</source>
+      <translation>Gespeichert und in Verwendung: {}</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/dialog.py" />
+      <source>Room tracker</source>
+      <translation>Tracker im Raum</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/dialog.py" />
+      <source>Receive poses from this source</source>
+      <translation>Posen von dieser Quelle empfangen</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/dialog.py" />
+      <source>Source</source>
+      <translation>Quelle</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/dialog.py" />
+      <source>&amp;Test</source>
+      <translation>&amp;Testen</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/dialog.py" />
+      <source>Whether poses arrive, and of which trackers</source>
+      <translation>Ob Posen ankommen, und von welchen Trackern</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/dialog.py" />
+      <source>Listening…</source>
+      <translation>Warten auf Posen …</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/dialog.py" />
+      <source>The source is being opened. Start again.</source>
+      <translation>Die Quelle wird gerade geöffnet. Beginnen Sie noch einmal.</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/dialog.py" />
+      <source>Switch the source on and test it first.</source>
+      <translation>Schalten Sie zuerst die Quelle ein und testen Sie sie.</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/dialog.py" />
+      <source>The source is being opened. Test it again.</source>
+      <translation>Die Quelle wird gerade geöffnet. Testen Sie noch einmal.</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/extension.py" />
+      <source>&amp;Room tracker…</source>
+      <translation>Tracker im &amp;Raum …</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/guided.py" />
+      <source>Rest the wrist on the edge of a table and hold the hand still.</source>
+      <translation>Legen Sie das Handgelenk auf eine Tischkante und halten Sie die Hand ruhig.</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/guided.py" />
+      <source>Keep the wrist there. Turn the palm up and down.</source>
+      <translation>Lassen Sie das Handgelenk dort. Drehen Sie die Handfläche nach oben und nach unten.</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/guided.py" />
+      <source>Keep the wrist there. Move the fingers up and down.</source>
+      <translation>Lassen Sie das Handgelenk dort. Bewegen Sie die Finger auf und ab.</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/guided.py" />
+      <source>Keep the wrist there. Move the fingers left and right.</source>
+      <translation>Lassen Sie das Handgelenk dort. Bewegen Sie die Finger nach links und rechts.</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/guided.py" />
+      <source>The tracker is {:.0f}, {:.0f}, {:.0f} mm from the wrist.</source>
+      <translation>Der Tracker ist {:.0f}, {:.0f}, {:.0f} mm vom Handgelenk entfernt.</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/guided.py" />
+      <source>The rotations agree within {:.1f}°, and the wrist was at rest within {:.1f} mm (rms).</source>
+      <translation>Die Drehungen stimmen auf {:.1f}° überein, das Handgelenk ruhte auf {:.1f} mm genau (RMS).</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/guided.py" />
+      <source>The poses are {:.0f} ms late.</source>
+      <translation>Die Posen kommen {:.0f} ms verspätet.</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/listening.py" />
+      <source>{}: {:.0f} poses per second</source>
+      <translation>{}: {:.0f} Posen pro Sekunde</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/listening.py" />
+      <source>{}: {:.0f} positions per second, without rotation</source>
+      <translation>{}: {:.0f} Positionen pro Sekunde, ohne Drehung</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/listening.py" />
+      <source>and {} more</source>
+      <translation>und {} weitere</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/source_form.py" />
+      <source>Name of the tracker on the hand; any: every tracker; empty: none</source>
+      <translation>Name des Trackers an der Hand; any: jeder Tracker; leer: keiner</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/source_form.py" />
+      <source>Tracker on the right hand</source>
+      <translation>Tracker an der rechten Hand</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/source_form.py" />
+      <source>Tracker on the left hand</source>
+      <translation>Tracker an der linken Hand</translation>
+    </message>
+    <message>
       <location filename="extensions/touch/window/dialog.py" />
       <source>Touch test</source>
       <translation>Berührungstest</translation>
@@ -8491,6 +8671,16 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.remote" />
+      <source>listening address</source>
+      <translation>Adresse, an der empfangen wird</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>listening port</source>
+      <translation>Port, an dem empfangen wird</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
       <source>OSC</source>
       <translation>OSC</translation>
     </message>
@@ -8501,8 +8691,23 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.remote" />
+      <source>127.0.0.1: markers of this computer only</source>
+      <translation>127.0.0.1: nur Marker dieses Computers</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
       <source>SteamVR vibration (VMT)</source>
       <translation>SteamVR-Vibration (VMT)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>port to which VMT's driver sends</source>
+      <translation>Port, an den der Treiber von VMT sendet</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>motors that vibrate: a list such as thumb,index, or all</source>
+      <translation>Motoren, die vibrieren: eine Liste wie thumb,index oder all</translation>
     </message>
     <message>
       <location filename="glovetrack.remote" />
@@ -8511,13 +8716,143 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.remote" />
+      <source>listening port; that of a VMC Marionette</source>
+      <translation>Port, an dem empfangen wird; der einer VMC-Marionette</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>name or serial number of the right hand's tracker; any: every tracker</source>
+      <translation>Name oder Seriennummer des Trackers der rechten Hand; any: jeder Tracker</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>name or serial number of the left hand's tracker; any: every tracker</source>
+      <translation>Name oder Seriennummer des Trackers der linken Hand; any: jeder Tracker</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>file that glovetrack room align has written</source>
+      <translation>Datei, die glovetrack room align geschrieben hat</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>degrees by which the room is turned about the vertical</source>
+      <translation>Grad, um die der Raum um die Senkrechte gedreht wird</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>milliseconds between a measurement and its arrival</source>
+      <translation>Millisekunden zwischen einer Messung und ihrer Ankunft</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>standard deviation of positions, mm</source>
+      <translation>Standardabweichung der Positionen, mm</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>standard deviation of rotations, degrees</source>
+      <translation>Standardabweichung der Drehungen, Grad</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
       <source>Wrist pose (OptiTrack)</source>
       <translation>Lage des Handgelenks (OptiTrack)</translation>
     </message>
     <message>
       <location filename="glovetrack.remote" />
+      <source>address of this computer in Motive's network</source>
+      <translation>Adresse dieses Computers im Netz von Motive</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>data port</source>
+      <translation>Datenport</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>address of the computer that runs Motive; empty: only listen</source>
+      <translation>Adresse des Computers, auf dem Motive läuft; leer: nur zuhören</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>multicast group; empty: unicast</source>
+      <translation>Multicast-Gruppe; leer: Unicast</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>axis of Motive that points up</source>
+      <translation>Achse von Motive, die nach oben zeigt</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>streaming ID of the right hand's rigid body; any: every body</source>
+      <translation>Streaming-ID des Starrkörpers der rechten Hand; any: jeder Körper</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>streaming ID of the left hand's rigid body; any: every body</source>
+      <translation>Streaming-ID des Starrkörpers der linken Hand; any: jeder Körper</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
       <source>Wrist pose (LSL)</source>
       <translation>Lage des Handgelenks (LSL)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>type of the stream: x y z qx qy qz qw, or x y z; m</source>
+      <translation>Typ des Streams: x y z qx qy qz qw oder x y z; m</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>whether streams of other computers are read</source>
+      <translation>ob Streams anderer Computer gelesen werden</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>axis of the stream that points up</source>
+      <translation>Achse des Streams, die nach oben zeigt</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>name of the right hand's stream; any: every stream</source>
+      <translation>Name des Streams der rechten Hand; any: jeder Stream</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>name of the left hand's stream; any: every stream</source>
+      <translation>Name des Streams der linken Hand; any: jeder Stream</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>Wrist pose (VRPN)</source>
+      <translation>Lage des Handgelenks (VRPN)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>address of the computer that runs the VRPN server</source>
+      <translation>Adresse des Computers, auf dem der VRPN-Server läuft</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>port of the server</source>
+      <translation>Port des Servers</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>axis of the server that points up</source>
+      <translation>Achse des Servers, die nach oben zeigt</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>name of the right hand's tracker; any: every tracker</source>
+      <translation>Name des Trackers der rechten Hand; any: jeder Tracker</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>name of the left hand's tracker; any: every tracker</source>
+      <translation>Name des Trackers der linken Hand; any: jeder Tracker</translation>
     </message>
     <message>
       <location filename="glovetrack.formats" />
@@ -11321,88 +11656,53 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>No packets of the glove arrived. Check that it is connected.</source>
+      <translation>Vom Handschuh kamen keine Pakete an. Prüfen Sie, ob er verbunden ist.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No poses of the tracker {name} arrived. Test the source, and check the tracker's name.</source>
+      <translation>Vom Tracker {name} kamen keine Posen an. Testen Sie die Quelle und prüfen Sie den Namen des Trackers.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The tracker {name} has positions, but no rotations. It cannot be aligned.</source>
+      <translation>Der Tracker {name} liefert Positionen, aber keine Drehungen. Er lässt sich nicht ausrichten.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{address}: there is no connection. Check that the program runs there, the address, and the firewall.</source>
+      <translation>{address}: Es besteht keine Verbindung. Prüfen Sie, ob das Programm dort läuft, sowie die Adresse und die Firewall.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{address}: nothing was received in {seconds:.0f} s. Check that the other program sends to this address, and the firewall.</source>
+      <translation>{address}: In {seconds:.0f} s wurde nichts empfangen. Prüfen Sie, ob das andere Programm an diese Adresse sendet, sowie die Firewall.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{address}: {count} packets were received that are not poses of this protocol.</source>
+      <translation>{address}: Es wurden {count} Pakete empfangen, die keine Posen dieses Protokolls sind.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Poses arrive, but none of {names}. Choose one of these trackers:</source>
+      <translation>Posen kommen an, aber keine von {names}. Wählen Sie einen dieser Tracker:</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Poses of {count} trackers arrive. Choose the tracker on each hand:</source>
+      <translation>Posen von {count} Trackern kommen an. Wählen Sie den Tracker an jeder Hand:</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Poses of {count} trackers arrive:</source>
+      <translation>Posen von {count} Trackern kommen an:</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>The axis {axis} cannot point up. Choose y or z.</source>
       <translation>Die Achse {axis} kann nicht nach oben zeigen. Wählen Sie y oder z.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The protocol has no participant {name}. It has: {known:list}.</source>
-      <translation>Das Protokoll hat keine Versuchsperson {name}. Es hat: {known:list}.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The folder {folder} contains a study by another protocol. Continue with the protocol in {stored}, or choose another folder.</source>
-      <translation>Der Ordner {folder} enthält eine Studie nach einem anderen Protokoll. Fahren Sie mit dem Protokoll in {stored} fort, oder wählen Sie einen anderen Ordner.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{folder} contains no study. Start one with: glovetrack study run.</source>
-      <translation>{folder} enthält keine Studie. Beginnen Sie eine mit: glovetrack study run.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The progress file {path} is damaged: {why}.</source>
-      <translation>Die Fortschrittsdatei {path} ist beschädigt: {why}.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>Another program is running the trials of {participant} in {folder}.</source>
-      <translation>Ein anderes Programm führt gerade die Durchgänge von {participant} in {folder} aus.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The study in {folder} has no accepted trial yet.</source>
-      <translation>Die Studie in {folder} hat noch keinen angenommenen Durchgang.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>This requires the extension {name}, which is not installed.</source>
-      <translation>Hierfür ist die Erweiterung {name} nötig, die nicht installiert ist.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The recording was interrupted before its end.</source>
-      <translation>Die Aufnahme wurde vor ihrem Ende abgebrochen.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The recording cannot be read: {why}</source>
-      <translation>Die Aufnahme ist nicht lesbar: {why}</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The recording lasts {duration_s:.1f} s; the protocol requires {least_s:.1f} s.</source>
-      <translation>Die Aufnahme dauert {duration_s:.1f} s; das Protokoll verlangt {least_s:.1f} s.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The hand was tracked for {found_percent:.0f} % of the time; the protocol requires {least_percent:.0f} %.</source>
-      <translation>Die Hand wurde {found_percent:.0f} % der Zeit verfolgt; das Protokoll verlangt {least_percent:.0f} %.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>Keypoints were measured for {found_percent:.0f} % of the time; the protocol requires {least_percent:.0f} %.</source>
-      <translation>Punkte der Hand wurden {found_percent:.0f} % der Zeit gemessen; das Protokoll verlangt {least_percent:.0f} %.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{found_percent:.1f} % of the packets were lost; the protocol allows {most_percent:.1f} %.</source>
-      <translation>{found_percent:.1f} % der Pakete gingen verloren; das Protokoll erlaubt {most_percent:.1f} %.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{found_hz:.0f} packets per second arrived; the protocol requires {least_hz:.0f}.</source>
-      <translation>{found_hz:.0f} Pakete pro Sekunde kamen an; das Protokoll verlangt {least_hz:.0f}.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{found_percent:.0f} % of the images were not searched; the protocol allows {most_percent:.0f} %.</source>
-      <translation>{found_percent:.0f} % der Bilder wurden nicht durchsucht; das Protokoll erlaubt {most_percent:.0f} %.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{found_hz:.1f} images per second arrived; the protocol requires {least_hz:.1f}.</source>
-      <translation>{found_hz:.1f} Bilder pro Sekunde kamen an; das Protokoll verlangt {least_hz:.1f}.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />

@@ -13,7 +13,9 @@ import uuid
 from pathlib import Path
 
 import pytest
+from PySide6.QtCore import QTimer
 from PySide6.QtNetwork import QLocalSocket
+from PySide6.QtWidgets import QApplication
 from pythonosc.osc_message import OscMessage
 from pythonosc.osc_message_builder import OscMessageBuilder
 
@@ -21,6 +23,7 @@ from app.jobs.remote import MOTOR_HZ
 from app.platform.own_socket import addresses
 from app.platform.single_instance import Instance, ask
 from app.storage.settings import SettingsStore
+from app.widgets.options_dialog import OptionsDialog
 from tests.gui.gui_fakes import ScriptedGlove, scripted_setup, with_glove
 from tracker.base.clock import monotonic
 from tracker.cli import main
@@ -55,6 +58,25 @@ def meanwhile(qtbot, work):
 def test_nothing_listens_by_default(window):
     assert not any(box.isChecked() for box in window.panels["streams"].remote.boxes.values())
     assert not [t for t in threading.enumerate() if "remote" in t.name]
+
+
+def test_options_of_an_interface_are_edited_in_a_form(window, qtbot):
+    box = window.panels["streams"].remote
+    assert "udp" not in box.options, "it has a port only"
+    seen = []
+
+    def fill():
+        dialog = window.findChild(OptionsDialog) or QApplication.activeModalWidget()
+        seen.append(set(dialog.fields))
+        dialog.fields["right"].setText("LHR-1")
+        dialog.accept()
+
+    QTimer.singleShot(0, fill)
+    box.options["room"].click()
+    assert seen and "alignment" in seen[0] and "port" not in seen[0]
+    kind = window.remote.kinds["room"]
+    assert window.remote.settings.options(kind).right == "LHR-1"
+    assert window.store.value.remote == {"room_right": "LHR-1"}, "only what was changed"
 
 
 def test_start_note_and_stop_by_udp_are_like_the_keys(window, engine, qtbot):

@@ -159,12 +159,15 @@ def test_pending_requests_and_known_clients_are_bounded() -> None:
 def test_nothing_is_open_by_default() -> None:
     settings = ConnectionSettings()
     assert not any(map(settings.is_on, door_kinds()))
-    own, added = ["udp", "osc", "websocket"], ["lsl", "vmt", "room", "natnet", "lslpose"]
+    own = ["udp", "osc", "websocket"]
+    added = ["lsl", "vmt", "room", "natnet", "lslpose", "vrpn"]
     assert list(door_kinds()) == [*own, *added]
     for name, kind in door_kinds().items():
         options = settings.options(kind)
         if name == "lslpose":  # LSL finds streams by itself: of this computer
             assert not options.network
+        elif name == "vrpn":  # a client of this computer's server
+            assert options.server == "127.0.0.1"
         else:
             assert options.host == "127.0.0.1", name
     settings = with_doors(settings, "udp, WebSocket:9000", "0.0.0.0")

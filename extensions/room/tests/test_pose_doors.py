@@ -147,7 +147,7 @@ def test_what_cannot_be_read_is_counted_and_nothing_breaks(hands: Hands, wait_fo
         assert door.counts().refused == 7, "an unknown address and an empty packet are not errors"
 
 
-def test_poses_of_nobody_are_counted_as_refused(hands: Hands, wait_for) -> None:
+def test_poses_of_ignored_are_counted_as_refused(hands: Hands, wait_for) -> None:
     hands.running = False
     with opened(hands, "room", right="any") as door, SimpleUDPClient(LOOPBACK, door.port) as client:
         client.send_message("/glovetrack/wrist", ["hand", *P.tolist()])
@@ -238,7 +238,7 @@ def test_another_client_reads_the_same_frames() -> None:
     np.testing.assert_allclose(body.pos, P, atol=1e-6)
 
 
-def test_a_stand_in_for_motive_is_asked_and_heard(
+def test_a_stand_in_for_motive_is_asked_and_read(
     hands: Hands, wait_for, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Unicast: it answers with its version, 3.1, then sends frames to who has asked."""

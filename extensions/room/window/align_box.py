@@ -1,0 +1,205 @@
+"""The alignment in the dialog: the guided movement, its residual, and *Save*."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import (
+    QComboBox,
+    QGroupBox,
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.engines.engine import EngineSetup
+from app.engines.engine_host import EngineHost
+from app.jobs.remote import RemoteControl
+from app.platform.tasks import JobProgress, TaskOwner
+from app.words import error_text
+from extensions.room import alignment_file
+from extensions.room.alignment import Alignment, Moved, solve
+from extensions.room.window.guided import GuidedMovement, Phase, residual_text
+from extensions.room.window.listening import PoseDoor, pose_door
+from extensions.room.window.source_form import ALIGNMENT
+from tracker.base.clock import monotonic
+from tracker.base.errors import GlovetrackError
+from tracker.base.files import make_folder
+
+TICK_MS = 100
+
+
+class AlignBox(QGroupBox):
+    """``wanted``, called before the movement, tells whether the source is ready."""
+
+    def __init__(
+        self,
+        host: EngineHost,
+        remote: RemoteControl,
+        folder: Path,
+        tasks: TaskOwner,
+        parent: QWidget | None = None,
+    ) -> None:
+        """``folder``: for alignments that have no file yet."""
+        super().__init__(parent)
+        self._host, self._remote, self._folder, self._tasks = host, remote, folder, tasks
+        self._source = ""
+        self._door: PoseDoor | None = None
+        self._run: GuidedMovement | None = None
+        self._found: tuple[str, Alignment] | None = None
+        self.wanted = lambda: True
+        self.setTitle(self.tr("Alignment: where the tracker is on the hand"))
+        self._lay_out()
+        self._timer = QTimer(self)
+        self._timer.setInterval(TICK_MS)
+        self._timer.timeout.connect(self.tick)
+
+    def _lay_out(self) -> None:
+        self.hands = QComboBox()
+        self.hands.setAccessibleName(self.tr("Hand"))
+        self.start_button = QPushButton(self.tr("&Start the movement"))
+        self.start_button.clicked.connect(self.start)
+        self.save_button = QPushButton(self.tr("&Save"))
+        self.save_button.setToolTip(self.tr("Store the alignment and use it from now on"))
+        self.save_button.clicked.connect(self.save)
+        self.save_button.setEnabled(False)
+        row = QHBoxLayout()
+        for widget in (self.hands, self.start_button, self.save_button):
+            row.addWidget(widget)
+        row.addStretch(1)
+        self.words, self.counts = QLabel(), QLabel()
+        self.words.setWordWrap(True)
+        self.counts.setProperty("role", "faint")
+        self.progress = QProgressBar()
+        self.progress.setAccessibleName(self.tr("Progress of the movement"))
+        column = QVBoxLayout(self)
+        column.addLayout(row)
+        for each in (self.words, self.progress, self.counts):
+            column.addWidget(each)
+
+    def use(self, source: str) -> None:
+        """Align trackers of another source."""
+        self.stop()
+        self._source, self._found = source, None
+        self.save_button.setEnabled(False)
+        self.progress.setValue(0)
+        self.counts.clear()
+        used = self._remote.settings.options(self._remote.kinds[source]).alignment
+        text = self.tr("In use: {}").format(used) if used else self.tr("No alignment is in use.")
+        self.say(text)
+
+    def say(self, text: str) -> None:
+        self.words.setText(text)
+
+    def show_hands(self) -> None:
+        """Offer the hands that are tracked live."""
+        running = self._run is not None
+        sides = [hand.side for hand in self._live_hands()]
+        if [self.hands.itemData(k) for k in range(self.hands.count())] != sides:
+            self.hands.clear()
+            names = {"right": self.tr("Right hand"), "left": self.tr("Left hand")}
+            for side in sides:
+                self.hands.addItem(names[side], side)
+        self.hands.setEnabled(not running and len(sides) > 1)
+        self.start_button.setEnabled(not running and bool(sides))
+        self.start_button.setToolTip(
+            "" if sides else self.tr("Connect the glove and start tracking first")
+        )
+
+    def _live_hands(self) -> tuple[EngineSetup, ...]:
+        setup = self._host.setup
+        if setup is None or setup.live is None or not self._host.running:
+            return ()
+        return setup.hands
+
+    # --- the movement
+
+    def start(self) -> None:
+        """Begin to collect packets and poses."""
+        side = self.hands.currentData()
+        hand = next((h for h in self._live_hands() if h.side == side), None)
+        if hand is None or not self.wanted():
+            return
+        door = pose_door(self._remote.door(self._source))
+        options = self._remote.settings.options(self._remote.kinds[self._source])
+        name = str(getattr(options, side))
+        if door is None or not name:
+            self.say(self.tr("Choose the tracker on this hand first."))
+            return
+        self._found = None
+        self.save_button.setEnabled(False)
+        self._run = GuidedMovement(hand.hand, hand.glove, name, options.delay_ms / 1e3)
+        self._door = door
+        self._run.start(monotonic())
+        door.taker.tap(self._run.pose)
+        self._timer.start()
+        self.show_hands()
+        self.tick()
+
+    def tick(self) -> None:
+        """Refresh; called by the timer."""
+        run, now = self._run, monotonic()
+        side = self.hands.currentData()
+        hand = next((h for h in self._live_hands() if h.side == side), None)
+        if run is None or hand is None:
+            self.stop()
+            return
+        run.tick(now, hand.tracked.recent_imu())
+        self.say(run.words(now))
+        self.progress.setValue(round(100 * run.share))
+        self.counts.setText(self.tr("{} packets of the glove, {} poses").format(*run.counts))
+        if run.phase == Phase.DONE:
+            self._end(run, side)
+
+    def _end(self, run: GuidedMovement, side: str) -> None:
+        self.stop()
+        try:
+            moved = run.moved()
+        except GlovetrackError as error:
+            self.say(error_text(error))
+            return
+        self.say(self.tr("Computing the alignment…"))
+
+        def job(_progress: JobProgress, moved: Moved = moved) -> tuple[str, Alignment]:
+            return side, solve(moved)
+
+        title = self.tr("Aligning the tracker")
+        self._tasks.run(title, job, done=self._show_found, failed=self.say)
+
+    def _show_found(self, found: tuple[str, Alignment]) -> None:
+        self._found = found
+        self.say(residual_text(found[1]))
+        self.save_button.setEnabled(True)
+
+    def stop(self) -> None:
+        """End the movement; nothing of it remains."""
+        self._timer.stop()
+        if self._door is not None:
+            self._door.taker.tap(None)
+        self._door = self._run = None
+        self.show_hands()
+
+    # --- the file
+
+    def save(self) -> None:
+        """Store the alignment next to the other hand's, and use it."""
+        if self._found is None:
+            return
+        side, found = self._found
+        kind = self._remote.kinds[self._source]
+        used = self._remote.settings.options(kind).alignment
+        path = Path(used) if used else self._folder / f"{self._source}.toml"
+        try:
+            known = alignment_file.read(path) if path.exists() else {}
+            make_folder(path.parent)
+            alignment_file.write(path, {**known, side: found}, force=True)
+        except GlovetrackError as error:
+            self.say(error_text(error))
+            return
+        self._remote.set_option(self._source, ALIGNMENT, str(path))
+        self.save_button.setEnabled(False)
+        self.say(self.tr("Saved, and in use: {}").format(path))
