@@ -1,34 +1,31 @@
-"""Finds the palm, fingers and fingertips of a robot hand in the body tree of an MJCF model.
+"""Reads the palm, fingers and fingertips of a robot hand from the bodies of a model.
 
-Fingers are recognised by the usual names (Shadow's ff, mf, rf, lf, th; index, middle, …). The palm
-is the last body that all fingers share; its axes follow from the knuckles and from the direction in
-which the fingers bend.
+The palm's axes follow from the knuckles and from the direction in which the fingers bend.
 """
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 
 import mujoco
 import numpy as np
 
+from extensions.robot.finger_map import FingerMap
+from extensions.robot.fingers import (
+    distal_of,
+    find_fingers,
+    fixed_to,
+    hinges,
+    joint_ranges,
+    plain,
+)
 from extensions.robot.wearer_hand import FINGERS
-from tracker.base.errors import ConfigError
-from tracker.base.notices import notice
 from tracker.messages import Array
 
-NAMES = {
-    "thumb": r"thumb|^th",
-    "index": r"index|fore|^ff",
-    "middle": r"middle|^mid|^mf",
-    "ring": r"ring|^rf",
-    "little": r"little|pink|^lf",
-}
-PREFIX = re.compile(r"^([a-z]*\d*[:/]|[rl]h_|left_|right_|robot0_)+", re.IGNORECASE)
-JOINTS_OF_A_FINGER = 2  # minimum: a leaf with fewer is not a finger
 COUPLED = 0.1  # of the joints' ranges: a tendon with a smaller range couples its joints
 SAME_PLACE = 1e-4  # m
+FIXED_BELOW = 1e-3  # m from the last joint: a fixed link nearer than that is not a fingertip's
+SHORTER, SHORT_BONE = 0.8, 0.02  # of the bone before it, and m: a last bone of unknown length
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,7 +48,8 @@ class RobotAnatomy:
     """Anatomy of a model whose palm is fixed: R_WP (3, 3), p_WP (3,) m of the palm's frame P (x to
     the fingertips, z out of its back, origin at the middle knuckle), rows of bodies and joints.
 
-    couplings (k, nq) and coupled_to (k,): weighted sums of joint angles that tendons keep constant.
+    couplings (k, nq) and coupled_to (k,): weighted sums of joint angles that tendons and
+    joints that mimic others keep constant.
     """
 
     side: str
@@ -69,90 +67,32 @@ class RobotAnatomy:
         return tuple(sorted({j for finger in self.fingers for j in finger.joints}))
 
 
-def plain(name: str) -> str:
-    """A name without the model's prefix: ``robot0:FFJ3`` is FFJ3."""
-    return PREFIX.sub("", name)
-
-
-def find_palm(model: mujoco.MjModel) -> tuple[int, int, dict[str, int]]:
-    """Rows of the palm, of the root body that carries it, and of each finger's last body.
-
-    Raises ConfigError if the model does not contain a hand.
-    """
-    leaves = _leaves(model)
-    if "thumb" not in leaves or "middle" not in leaves or "index" not in leaves:
-        raise ConfigError(notice("robot.no_fingers"))
-    paths = [_path(model, body) for body in leaves.values()]
-    common = [b for b in paths[0] if all(b in path for path in paths)]
-    if len(common) < 2:
-        raise ConfigError(notice("robot.no_palm"))
-    return common[-1], common[1], leaves
-
-
-def _leaves(model: mujoco.MjModel) -> dict[str, int]:
-    parents = set(model.body_parentid[1:].tolist())
-    found: dict[str, int] = {}
-    for body in range(1, model.nbody):
-        if body in parents or len(_joints(model, body)) < JOINTS_OF_A_FINGER:
-            continue
-        name = plain(model.body(body).name).lower()
-        for finger, pattern in NAMES.items():
-            if re.search(pattern, name) and finger not in found:
-                found[finger] = body
-                break
-    return found
-
-
-def _path(model: mujoco.MjModel, body: int) -> list[int]:
-    """Bodies from the world to ``body``."""
-    out = [body]
-    while out[0] != 0:
-        out.insert(0, int(model.body_parentid[out[0]]))
-    return out
-
-
-def _joints(model: mujoco.MjModel, body: int, after: int = 0) -> list[int]:
-    """Hinges between the body ``after`` and ``body``."""
-    out: list[int] = []
-    for b in _path(model, body):
-        first = int(model.body_jntadr[b])
-        out += range(first, first + int(model.body_jntnum[b])) if first >= 0 else []
-        if b == after:
-            out = []
-    return [j for j in out if model.jnt_type[j] == mujoco.mjtJoint.mjJNT_HINGE]
-
-
-def read_anatomy(model: mujoco.MjModel) -> RobotAnatomy:
+def read_anatomy(model: mujoco.MjModel, given: FingerMap | None = None) -> RobotAnatomy:
     """Anatomy of a model whose only joints are those of the fingers. Raises ConfigError."""
-    palm, base, leaves = find_palm(model)
+    found = find_fingers(model, given or FingerMap())
+    palm, links = found.palm, found.links
     data = mujoco.MjData(model)
-    data.qpos[:] = np.clip(0.0, *_ranges(model).T)
+    data.qpos[:] = np.clip(0.0, *joint_ranges(model).T)
     mujoco.mj_kinematics(model, data)
-    tips = {f: _tip(model, data, f, body) for f, body in leaves.items()}
-    chains = {f: _chain(model, data, _joints(model, b, palm)) for f, b in leaves.items()}
-    R, p, side = _palm_frame(model, data, leaves, tips, chains)
+    ends = {f: distal_of(model, link) for f, link in links.items()}
+    chains = {f: _chain(data, hinges(model, end, palm)) for f, end in ends.items()}
+    tips = {f: _tip(model, data, link, chains[f]) for f, link in links.items()}
+    R, p, side = _palm_frame(model, ends, tips, chains)
     fingers = []
-    for name in (f for f in FINGERS if f in leaves):
-        body = leaves[name]
-        chain = np.vstack([chains[name], _at(data, body, tips[name])])
+    for name in (f for f in FINGERS if f in links):
+        end = ends[name]
+        chain = np.vstack([chains[name], _at(data, end, tips[name])])
         length = float(np.linalg.norm(np.diff(chain, axis=0), axis=1).sum())
-        joints = tuple(_joints(model, body, palm))
+        joints = tuple(hinges(model, end, palm))
         knuckle = R.T @ (chain[0] - p)
         fingers.append(
-            RobotFinger(name, body, tips[name], knuckle, length, joints, _radius(model, body))
+            RobotFinger(name, end, tips[name], knuckle, length, joints, _radius(model, end))
         )
     couplings, middle = _couplings(model)
-    return RobotAnatomy(side, palm, base, R, p, tuple(fingers), couplings, middle)
+    return RobotAnatomy(side, palm, found.base, R, p, tuple(fingers), couplings, middle)
 
 
-def _ranges(model: mujoco.MjModel) -> Array:
-    """(nq, 2) rad; ±π for a joint without limits."""
-    out = np.array(model.jnt_range, float)
-    out[model.jnt_limited == 0] = -np.pi, np.pi
-    return out
-
-
-def _chain(model: mujoco.MjModel, data: mujoco.MjData, joints: list[int]) -> Array:
+def _chain(data: mujoco.MjData, joints: list[int]) -> Array:
     """(≤ 3, 3) m: positions of a finger's last three joints; coincident joints count once."""
     out: list[Array] = []
     for j in joints:
@@ -162,17 +102,26 @@ def _chain(model: mujoco.MjModel, data: mujoco.MjData, joints: list[int]) -> Arr
     return np.array(out[-3:])
 
 
-def _tip(model: mujoco.MjModel, data: mujoco.MjData, finger: str, body: int) -> Array:
-    """(3,) m in the last body's frame: its site named tip, or the end of its collision geoms."""
+def _tip(model: mujoco.MjModel, data: mujoco.MjData, link: int, chain: Array) -> Array:
+    """(3,) m in the last moving link: the origin of a link that is fixed to it, its site named
+    tip, the end of its geoms, or, without any, the last bone again."""
+    end = distal_of(model, link)
+    here = np.array(data.xpos[link] - data.xpos[end]) @ data.xmat[end].reshape(3, 3)
+    if link != end and np.linalg.norm(here) > FIXED_BELOW:
+        return here
     for site in range(model.nsite):
         name = plain(model.site(site).name).lower()
-        if model.site_bodyid[site] == body and "tip" in name and "tch" not in name:
+        if model.site_bodyid[site] == end and "tip" in name and "tch" not in name:
             return np.array(model.site_pos[site])
-    start = int(model.body_geomadr[body])
-    geoms = [g for g in range(start, start + int(model.body_geomnum[body])) if start >= 0]
+    geoms = [g for g in range(model.ngeom) if model.geom_bodyid[g] in (end, link)]
+    geoms = [g for g in geoms if model.geom_bodyid[g] == end] or geoms
     solid = [g for g in geoms if model.geom_contype[g] or model.geom_conaffinity[g]] or geoms
+    fixed = fixed_to(model, end)
+    if not solid and not fixed:
+        bone = chain[-1] - chain[-2] if len(chain) > 1 else np.array([0.0, 0.0, SHORT_BONE])
+        return np.asarray(SHORTER * bone @ data.xmat[end].reshape(3, 3))
     if not solid:
-        raise ConfigError(notice("robot.no_tip", finger=finger))
+        return np.asarray((data.xpos[fixed[-1]] - data.xpos[end]) @ data.xmat[end].reshape(3, 3))
     far = max(solid, key=lambda g: float(np.linalg.norm(model.geom_pos[g])))
     at = np.array(model.geom_pos[far])
     reach = float(np.linalg.norm(at))
@@ -187,35 +136,42 @@ def _at(data: mujoco.MjData, body: int, point: Array) -> Array:
 
 def _palm_frame(
     model: mujoco.MjModel,
-    data: mujoco.MjData,
-    leaves: dict[str, int],
+    ends: dict[str, int],
     tips: dict[str, Array],
     chains: dict[str, Array],
 ) -> tuple[Array, Array, str]:
     """R_WP, p_WP and the side."""
-    others = [f for f in leaves if f != "thumb"]
-    straight = {f: _at(data, leaves[f], tips[f]) for f in others}
+    others = [f for f in FINGERS[1:] if f in ends]
+    ranges = joint_ranges(model)
+    straight = _tips_at(model, np.clip(0.0, *ranges.T), ends, tips)
     x = np.mean([straight[f] - chains[f][0] for f in others], axis=0)
     x /= np.linalg.norm(x)
-    last = [f for f in FINGERS if f in others][-1]
-    to_index = chains["index"][0] - chains[last][0]
-    to_index -= x * (x @ to_index)
-    ranges = _ranges(model)
-    bent = mujoco.MjData(model)
-    bent.qpos[:] = ranges.mean(axis=1)
-    mujoco.mj_kinematics(model, bent)
-    bending = np.mean([_at(bent, leaves[f], tips[f]) - straight[f] for f in others], axis=0)
-    z = np.cross(x, to_index / np.linalg.norm(to_index))
+    to_first = chains[others[0]][0] - chains[others[-1]][0]
+    to_first -= x * (x @ to_first)
+    bent = _tips_at(model, ranges.mean(axis=1), ends, tips)
+    bending = np.mean([bent[f] - straight[f] for f in others], axis=0)
+    z = np.cross(x, to_first / np.linalg.norm(to_first))
     z = -z if z @ bending > 0 else z
     y = np.cross(z, x)
-    side = "right" if y @ to_index > 0 else "left"
-    return np.stack([x, y, z], axis=1), chains["middle"][0].copy(), side
+    side = "right" if y @ to_first > 0 else "left"
+    origin = chains.get("middle", chains[others[0]])[0]
+    return np.stack([x, y, z], axis=1), origin.copy(), side
+
+
+def _tips_at(
+    model: mujoco.MjModel, q: Array, ends: dict[str, int], tips: dict[str, Array]
+) -> dict[str, Array]:
+    """(3,) m of each tip in the world with joints at q (nq,)."""
+    data = mujoco.MjData(model)
+    data.qpos[:] = q
+    mujoco.mj_kinematics(model, data)
+    return {f: _at(data, end, tips[f]) for f, end in ends.items()}
 
 
 def _radius(model: mujoco.MjModel, body: int) -> float:
-    """Radius in m of the last body's thinnest collision geom."""
-    first = int(model.body_geomadr[body])
-    geoms = range(first, first + int(model.body_geomnum[body])) if first >= 0 else range(0)
+    """Radius in m of the last link's thinnest collision geom."""
+    bodies = [body, *fixed_to(model, body)]
+    geoms = [g for g in range(model.ngeom) if model.geom_bodyid[g] in bodies]
     sizes = [
         float(model.geom_size[g, 0])
         for g in geoms
@@ -225,9 +181,10 @@ def _radius(model: mujoco.MjModel, body: int) -> float:
 
 
 def _couplings(model: mujoco.MjModel) -> tuple[Array, Array]:
-    """Couplings by tendons over several joints whose length is nearly constant."""
+    """Couplings by joints that mimic others (of first order), and by tendons over several joints
+    whose length is nearly constant."""
     rows, middle = [], []
-    ranges = _ranges(model)
+    ranges = joint_ranges(model)
     for t in range(model.ntendon):
         first, number = int(model.tendon_adr[t]), int(model.tendon_num[t])
         wraps = range(first, first + number)
@@ -243,4 +200,11 @@ def _couplings(model: mujoco.MjModel) -> tuple[Array, Array]:
             size = np.abs(row).max()
             rows.append(row / size)
             middle.append(0.5 * (low + high) / size)
+    for e in np.flatnonzero(model.eq_type == mujoco.mjtEq.mjEQ_JOINT):
+        row = np.zeros(model.nq)
+        row[model.jnt_qposadr[model.eq_obj1id[e]]] = 1.0
+        if model.eq_obj2id[e] >= 0:
+            row[model.jnt_qposadr[model.eq_obj2id[e]]] = -model.eq_data[e, 1]
+        rows.append(row)
+        middle.append(float(model.eq_data[e, 0]))
     return np.array(rows).reshape(-1, model.nq), np.array(middle)

@@ -1,22 +1,27 @@
-"""Loads a robot hand: an MJCF model with a fixed palm and moving fingers."""
+"""Loads a robot hand: an MJCF or URDF model with a fixed palm and moving fingers."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import mujoco
 import numpy as np
 
-from extensions.robot.anatomy import RobotAnatomy, find_palm, plain, read_anatomy
+from extensions.robot.anatomy import RobotAnatomy, read_anatomy
+from extensions.robot.finger_map import FingerMap, map_from_text
+from extensions.robot.fingers import Found, find_fingers, path_to, plain
 from extensions.robot.library import MODELS, model_path, need_mujoco
 from extensions.robot.mirror import mirrored
+from extensions.robot.model_file import effort, read_model
 from extensions.robot.settings import RobotSettings
 from tracker.base.errors import ConfigError
+from tracker.base.frozen_dict import FrozenDict
 from tracker.base.notices import notice
 from tracker.messages import Array
 
-MOST_BYTES = 20_000_000  # of a hand's MJCF file, without the meshes
+MANY_ANGLES = (mujoco.mjtJoint.mjJNT_FREE, mujoco.mjtJoint.mjJNT_BALL)
 USUAL_TORQUE = 1.0  # N m, for a joint without one in the file
 
 
@@ -41,19 +46,20 @@ def load_hand(settings: RobotSettings) -> RobotHand:
     need_mujoco()
     path = model_path(settings.model)
     try:
-        if path.stat().st_size > MOST_BYTES:
-            raise ConfigError(notice("robot.too_large", file=path.name, limit_bytes=MOST_BYTES))
-        text, torque_of = _prepared(path)
+        text, torque_of, fingers = _prepared(path, map_from_text(settings.fingers))
         model = mujoco.MjModel.from_xml_string(text)
-        anatomy = read_anatomy(model)
+        anatomy = read_anatomy(model, fingers)
         if anatomy.side != settings.side:
             text = mirrored(text)
             model = mujoco.MjModel.from_xml_string(text)
-            anatomy = read_anatomy(model)
+            anatomy = read_anatomy(model, fingers)
     except (ValueError, mujoco.FatalError, mujoco.UnexpectedError) as error:
         why = str(error).strip().splitlines()[0]
         raise ConfigError(notice("robot.not_usable", file=path.name, why=why)) from error
     names = [model.joint(j).name for j in range(model.njnt)]
+    if model.nq != model.njnt:
+        kind = next(n for j, n in enumerate(names) if model.jnt_type[j] in MANY_ANGLES)
+        raise ConfigError(notice("robot.joint_kind", joint=kind))
     limits = np.array(model.jnt_range, float)
     limits[model.jnt_limited == 0] = -np.pi, np.pi
     short = settings.model if settings.model in MODELS else plain(path.stem)
@@ -68,31 +74,49 @@ def load_hand(settings: RobotSettings) -> RobotHand:
     )
 
 
-def _prepared(path: Path) -> tuple[str, dict[str, float]]:
-    """MJCF of the hand without the bodies that carry its palm, and each joint's motor torque."""
-    spec = mujoco.MjSpec.from_file(str(path))
+def _prepared(path: Path, given: FingerMap) -> tuple[str, dict[str, float], FingerMap]:
+    """MJCF of the hand without the bodies that carry its palm, each joint's motor torque, and the
+    links of its fingers."""
+    spec = read_model(path)
     model = spec.compile()
-    palm, base, _ = find_palm(model)
+    found = find_fingers(model, given)
     torque = _torques(model)
-    root = spec.body(model.body(base).name)
-    carrying = {model.joint(j).name for j in range(model.njnt)} - _below(model, palm)
-    for listed in (spec.actuators, spec.sensors, spec.keys, spec.equalities):
-        for part in list(listed):
-            spec.delete(part)
+    root = spec.body(model.body(found.base).name)
+    fingers = _below(model, found.palm)
+    carrying = {model.joint(j).name for j in range(model.njnt)} - fingers
+    _delete_rest(spec, fingers)
     for tendon in [t for t in spec.tendons if _pulls(model, t.name, carrying)]:
         spec.delete(tendon)
     for joint in [j for j in spec.joints if j.name in carrying]:
         spec.delete(joint)
     for body in [b for b in spec.worldbody.bodies if b.name != root.name]:
         spec.delete(body)
+    for name in _aside(model, found):
+        spec.delete(spec.body(name))
     for part in [*spec.worldbody.geoms, *spec.worldbody.sites, *spec.lights, *spec.cameras]:
         spec.delete(part)
     for part in spec.bodies:
         part.gravcomp = 1.0
-    spec.meshdir = str((path.parent / spec.meshdir).resolve())
-    spec.texturedir = str((path.parent / spec.texturedir).resolve())
     spec.compile()
-    return spec.to_xml(), torque
+    return spec.to_xml(), torque, FingerMap(FrozenDict(found.names(model)))
+
+
+def _delete_rest(spec: Any, fingers: set[str]) -> None:
+    """Delete motors, sensors and key frames, and constraints other than joints that mimic others."""
+    kept = [e for e in spec.equalities if e.type == mujoco.mjtEq.mjEQ_JOINT and e.name1 in fingers]
+    for listed in (spec.actuators, spec.sensors, spec.keys, spec.equalities):
+        for part in [p for p in listed if not any(p is k for k in kept)]:
+            spec.delete(part)
+
+
+def _aside(model: mujoco.MjModel, found: Found) -> list[str]:
+    """Bodies of the same root that neither carry the palm nor are carried by it."""
+    way = path_to(model, found.palm)
+    parents = [int(model.body_parentid[b]) for b in range(model.nbody)]
+    return [
+        model.body(b).name for b in range(1, model.nbody)
+        if parents[b] in way[1:-1] and b not in way
+    ]  # fmt: skip
 
 
 def _below(model: mujoco.MjModel, palm: int) -> set[str]:
@@ -120,9 +144,9 @@ def _pulls(model: mujoco.MjModel, tendon: str, joints: set[str]) -> bool:
 
 
 def _torques(model: mujoco.MjModel) -> dict[str, float]:
-    """Maximum torque in N m per joint, for motors with a limit in the file."""
+    """Maximum torque in N m per joint, for motors or joints with a limit in the file."""
 
-    out = {}
+    out: dict[str, float] = {}
     for a in range(model.nu):
         if (
             model.actuator_trntype[a] == mujoco.mjtTrn.mjTRN_JOINT
@@ -130,4 +154,7 @@ def _torques(model: mujoco.MjModel) -> dict[str, float]:
         ):
             joint = model.joint(int(model.actuator_trnid[a, 0])).name
             out[joint] = float(np.abs(model.actuator_forcerange[a]).max())
+    for j in range(model.njnt):
+        if model.jnt_actfrclimited[j]:
+            out.setdefault(model.joint(j).name, effort(model.jnt_actfrcrange[j]))
     return out

@@ -25,6 +25,7 @@ _CHANGES: Mapping[str, Signs] = {
     "refquat": (1, 1, -1, -1),
     "dir": _POINT,
 }
+_Z = "0 0 1"
 _SLIDE_AXIS: Signs = _POINT
 _UNREAD = ("euler", "axisangle", "xyaxes", "zaxis")
 
@@ -32,6 +33,7 @@ _UNREAD = ("euler", "axisangle", "xyaxes", "zaxis")
 def mirrored(mjcf: str) -> str:
     """The mirrored MJCF. Raises ConfigError for what cannot be mirrored."""
     root = ET.fromstring(mjcf)
+    _write_default_axes(root)
     for element in root.iter():
         for name in _UNREAD:
             if name in element.attrib:
@@ -44,6 +46,23 @@ def mirrored(mjcf: str) -> str:
             element.set("scale", element.get("scale", "1 1 1"))
             _sign(element, "scale", _POINT)
     return ET.tostring(root, encoding="unicode")
+
+
+def _write_default_axes(root: ET.Element) -> None:
+    """MuJoCo does not write the axis of a joint that turns about z: it is the default."""
+    defaults = root.find("default")
+    if defaults is None:
+        defaults = ET.SubElement(root, "default")
+    joint = defaults.find("joint")
+    if joint is None:
+        joint = ET.SubElement(defaults, "joint")
+    if "axis" in joint.attrib:
+        return
+    if not any("axis" in other.attrib for other in defaults.iter("joint")):
+        for slide in (j for body in root.iter("body") for j in body.findall("joint")):
+            if slide.get("type") == "slide":
+                slide.attrib.setdefault("axis", _Z)
+    joint.set("axis", _Z)
 
 
 def _sign(element: ET.Element, name: str, signs: Signs) -> None:

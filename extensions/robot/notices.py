@@ -5,18 +5,20 @@ TEXTS = {
     "robot.not_usable": "The robot hand {file} cannot be used: {why}",
     "robot.not_mirrorable": "The robot hand cannot be mirrored: it has {what}.",
     "robot.no_fingers": (
-        "The robot hand's fingers were not found. Name their bodies thumb (or th), index "
-        "(ff), middle (mf), ring (rf) and little (lf)."
+        "A thumb and two other fingers were not found in the robot hand. Choose the links of its "
+        "fingertips."
     ),
+    "robot.finger": 'Unknown finger "{finger}". Use {known:or}.',
+    "robot.link_twice": 'The link "{link}" is the tip of two fingers.',
+    "robot.no_link": 'The robot hand has no link called "{link}".',
+    "robot.no_finger_table": "{file} has no table [fingers] with a link for each finger.",
+    "robot.joint_kind": "The joint {joint} of the robot hand is not a hinge.",
     "robot.no_palm": "The robot hand's fingers do not share a palm.",
-    "robot.no_tip": (
-        "The robot hand's {finger:word} has no tip. Add a site named tip to its last body."
-    ),
     "robot.command": 'Unknown robot command "{command}". Use {known:or}.',
     "robot.needs_mujoco": "A robot hand requires MuJoCo, which is not installed. Run: {install}",
     "robot.hand_extra": "The robot hand {name} is not installed. Run: {install}",
     "robot.unknown_hand": (
-        'Robot hand "{name}" not found. Use {known:or} or the path of an MJCF file.'
+        'Robot hand "{name}" not found. Use {known:or} or the path of an MJCF or URDF file.'
     ),
     "robot.needs_cube": "Add a cube to the objects: pick and place requires one.",
     "robot.side": 'The side must be right or left, not "{side}".',

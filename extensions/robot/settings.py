@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass
 
+from extensions.robot.finger_map import map_from_text
 from extensions.robot.library import SHADOW
 from tracker.base.config import from_dict
 from tracker.base.errors import ConfigError, FileError
@@ -16,8 +17,8 @@ CLUTCHES = ("none", "thumb_up", "point", "fist")
 
 @dataclass(frozen=True)
 class RobotSettings:
-    """``model`` is a name of `extensions.robot.library.MODELS` or the path of an MJCF file;
-    ``side`` is the side of the wearer's hand.
+    """``model`` is a name of `extensions.robot.library.MODELS` or the path of an MJCF or URDF
+    file; ``side`` is the side of the wearer's hand; ``fingers`` is a `FingerMap` as text.
 
     ``motion_scale``: m that the robot's palm moves per m of the wearer's. ``reach_scale``: factor
     on the fingers' reach, in addition to the ratio of their lengths. ``clutch``: the gesture that
@@ -26,6 +27,7 @@ class RobotSettings:
 
     model: str = SHADOW
     side: str = "right"
+    fingers: str = ""  # found automatically where it names no link
     objects: str = ",".join(OBJECTS)  # on the table
     motion_scale: float = 1.0
     reach_scale: float = 1.0
@@ -39,6 +41,7 @@ class RobotSettings:
             raise ConfigError(notice("robot.side", side=self.side))
         if self.clutch not in CLUTCHES:
             raise ConfigError(notice("robot.clutch", known=CLUTCHES, clutch=self.clutch))
+        map_from_text(self.fingers)
         strange = [name for name in self.things if name not in OBJECTS]
         if strange:
             raise ConfigError(notice("robot.objects", value=strange[0], known=OBJECTS))

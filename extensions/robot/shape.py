@@ -56,7 +56,7 @@ def _shown(model: mujoco.MjModel, geom: int) -> bool:
 
 
 def _finger(world: RobotWorld, geom: int) -> int:
-    body = int(world.model.geom_bodyid[geom])
+    body = int(world.model.body_weldid[world.model.geom_bodyid[geom]])
     for row in range(len(FINGERS)):
         if world.scene.tip_bodies[row] == body:
             return row

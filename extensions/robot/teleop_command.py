@@ -49,8 +49,9 @@ def add_teleop(parser: argparse.ArgumentParser) -> None:
         "--model",
         "--hand-model",
         default=SHADOW,
-        help="robot hand: a name, or the path of an MJCF file",
+        help="robot hand: a name, or the path of an MJCF or URDF file",
     )
+    add_fingers(parser)
     parser.add_argument(
         "--side",
         choices=("right", "left"),
@@ -73,6 +74,16 @@ def add_teleop(parser: argparse.ArgumentParser) -> None:
     add_json(parser)
 
 
+def add_fingers(parser: argparse.ArgumentParser) -> None:
+    """The option for links of fingertips."""
+    parser.add_argument(
+        "--fingers",
+        default="",
+        metavar="FINGER=LINK,…|FILE.toml",
+        help="links of the robot's fingertips, if they are not found",
+    )
+
+
 def teleoperate(args: argparse.Namespace) -> int:
     """Drive the robot hand, or check a recorded drive."""
     from extensions.robot.library import need_mujoco
@@ -92,10 +103,12 @@ def teleoperate(args: argparse.Namespace) -> int:
 
 
 def _settings(args: argparse.Namespace, side: str) -> RobotSettings:
+    from extensions.robot.finger_map import map_given
     from extensions.robot.settings import RobotSettings
 
     return RobotSettings(
         model=args.model,
+        fingers=map_given(args.fingers).text,
         side=args.side or side,
         objects=args.objects,
         motion_scale=args.motion_scale,

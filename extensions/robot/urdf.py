@@ -8,7 +8,7 @@ import mujoco
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from extensions.robot.anatomy import plain
+from extensions.robot.fingers import plain
 from extensions.robot.hand import RobotHand
 from tracker.messages import Array
 

@@ -24,7 +24,8 @@ class RobotWorld:
         self._rest = np.clip(0.0, *hand.limits.T)
         self._force = np.zeros(6)
         body_of = {int(b): i for i, b in enumerate(self.scene.tip_bodies) if b >= 0}
-        self._tip_of = [body_of.get(int(b), -1) for b in self.model.geom_bodyid]
+        moving = self.model.body_weldid[self.model.geom_bodyid]
+        self._tip_of = [body_of.get(int(b), -1) for b in moving]
         self._solid = [self._is_thing(g) for g in range(self.model.ngeom)]
 
     def _is_thing(self, geom: int) -> bool:

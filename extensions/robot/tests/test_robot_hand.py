@@ -86,6 +86,6 @@ def test_a_reader_of_urdf_finds_the_fingertips_where_mujoco_has_them(tmp_path) -
 
 
 def _bodies() -> list[str]:
-    from extensions.robot.anatomy import plain
+    from extensions.robot.fingers import plain
 
     return [plain(shadow().model.body(f.body).name) for f in shadow().anatomy.fingers]
