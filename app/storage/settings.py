@@ -82,6 +82,7 @@ class AppSettings:
     remote: dict[str, Any] = field(default_factory=dict)  # table of `ConnectionSettings`
     haptics: dict[str, Any] = field(default_factory=dict)  # of `app.jobs.outputs.HapticRule`
     robot: dict[str, Any] = field(default_factory=dict)  # of `extensions.robot.settings`
+    robot_fingers: dict[str, Any] = field(default_factory=dict)  # links as text, by robot hand
     robot_port: int = 0  # UDP port of its states; 0: not sent
     board: str = ""  # of the stereo calibration: kind, squares across and down, side in m
 

@@ -20,6 +20,8 @@ from extensions.robot.fingers import (
     plain,
 )
 from extensions.robot.wearer_hand import FINGERS
+from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.messages import Array
 
 COUPLED = 0.1  # of the joints' ranges: a tendon with a smaller range couples its joints
@@ -148,6 +150,8 @@ def _palm_frame(
     x /= np.linalg.norm(x)
     to_first = chains[others[0]][0] - chains[others[-1]][0]
     to_first -= x * (x @ to_first)
+    if np.linalg.norm(to_first) < SAME_PLACE:
+        raise ConfigError(notice("robot.no_palm"))
     bent = _tips_at(model, ranges.mean(axis=1), ends, tips)
     bending = np.mean([bent[f] - straight[f] for f in others], axis=0)
     z = np.cross(x, to_first / np.linalg.norm(to_first))

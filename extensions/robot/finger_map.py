@@ -45,8 +45,8 @@ class FingerMap:
         return ",".join(f"{name}={self.links[name]}" for name in ROWS if name in self.links)
 
     def with_link(self, name: str, link: str) -> FingerMap:
-        """With another choice; a finger that had the link gets none."""
-        kept = {n: "" if v == link and PALM not in (n, name) else v for n, v in self.links.items()}
+        """With another choice; a finger that had the link is found automatically again."""
+        kept = {n: v for n, v in self.links.items() if not v or v != link or PALM in (n, name)}
         return FingerMap(FrozenDict({**kept, name: link}))
 
 

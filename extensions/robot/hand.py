@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -22,6 +25,7 @@ from tracker.base.notices import notice
 from tracker.messages import Array
 
 MANY_ANGLES = (mujoco.mjtJoint.mjJNT_FREE, mujoco.mjtJoint.mjJNT_BALL)
+SIDE_AT_END = re.compile(r"_(right|left)$")
 USUAL_TORQUE = 1.0  # N m, for a joint without one in the file
 
 
@@ -41,46 +45,84 @@ class RobotHand:
     torque: Array
 
 
+@dataclass(frozen=True, eq=False)
+class HandFile:
+    """A file's hand alone with a fixed palm, of the file's own side: ``mjcf`` is the text of
+    ``model``; ``torque`` N m by joint; ``found`` are rows of the whole file's model ``whole``."""
+
+    mjcf: str
+    model: mujoco.MjModel
+    anatomy: RobotAnatomy
+    torque: dict[str, float]
+    whole: mujoco.MjModel
+    found: Found
+
+    @property
+    def fingers(self) -> FingerMap:
+        """The links that were found."""
+        return FingerMap(FrozenDict(self.found.names(self.whole)))
+
+
+def read_hand(path: Path, given: FingerMap) -> HandFile:
+    """The hand in a file with the links of ``given``. Raises ConfigError."""
+    with usable(path):
+        spec = read_model(path)
+        whole = spec.compile()
+        found = find_fingers(whole, given)
+        text = _alone(spec, whole, found)
+        model = mujoco.MjModel.from_xml_string(text)
+        anatomy = read_anatomy(model, FingerMap(FrozenDict(found.names(whole))))
+        return HandFile(text, model, anatomy, _torques(whole), whole, found)
+    raise AssertionError
+
+
+@contextmanager
+def usable(path: Path) -> Iterator[None]:
+    """Raises ConfigError where MuJoCo refuses the file."""
+    try:
+        yield
+    except (ValueError, mujoco.FatalError, mujoco.UnexpectedError) as error:
+        why = str(error).strip().splitlines()[0]
+        raise ConfigError(notice("robot.not_usable", file=path.name, why=why)) from error
+
+
 def load_hand(settings: RobotSettings) -> RobotHand:
     """The hand of the settings, mirrored if necessary to the wearer's side. Raises ConfigError."""
     need_mujoco()
     path = model_path(settings.model)
-    try:
-        text, torque_of, fingers = _prepared(path, map_from_text(settings.fingers))
-        model = mujoco.MjModel.from_xml_string(text)
-        anatomy = read_anatomy(model, fingers)
-        if anatomy.side != settings.side:
+    file = read_hand(path, map_from_text(settings.fingers))
+    text, model, anatomy = file.mjcf, file.model, file.anatomy
+    if anatomy.side != settings.side:
+        with usable(path):
             text = mirrored(text)
             model = mujoco.MjModel.from_xml_string(text)
-            anatomy = read_anatomy(model, fingers)
-    except (ValueError, mujoco.FatalError, mujoco.UnexpectedError) as error:
-        why = str(error).strip().splitlines()[0]
-        raise ConfigError(notice("robot.not_usable", file=path.name, why=why)) from error
+            anatomy = read_anatomy(model, file.fingers)
     names = [model.joint(j).name for j in range(model.njnt)]
     if model.nq != model.njnt:
         kind = next(n for j, n in enumerate(names) if model.jnt_type[j] in MANY_ANGLES)
         raise ConfigError(notice("robot.joint_kind", joint=kind))
     limits = np.array(model.jnt_range, float)
     limits[model.jnt_limited == 0] = -np.pi, np.pi
-    short = settings.model if settings.model in MODELS else plain(path.stem)
     return RobotHand(
-        f"{''.join(c if c.isalnum() else '_' for c in short.lower())}_{settings.side}",
+        _name(settings, path),
         text,
         model,
         anatomy,
         tuple(plain(n) for n in names),
         limits,
-        np.array([torque_of.get(n, USUAL_TORQUE) for n in names]),
+        np.array([file.torque.get(n, USUAL_TORQUE) for n in names]),
     )
 
 
-def _prepared(path: Path, given: FingerMap) -> tuple[str, dict[str, float], FingerMap]:
-    """MJCF of the hand without the bodies that carry its palm, each joint's motor torque, and the
-    links of its fingers."""
-    spec = read_model(path)
-    model = spec.compile()
-    found = find_fingers(model, given)
-    torque = _torques(model)
+def _name(settings: RobotSettings, path: Path) -> str:
+    """Name of the hand in recordings, with its side."""
+    short = settings.model if settings.model in MODELS else plain(path.stem)
+    plain_name = "".join(c if c.isalnum() else "_" for c in short.lower())
+    return f"{SIDE_AT_END.sub('', plain_name)}_{settings.side}"
+
+
+def _alone(spec: Any, model: mujoco.MjModel, found: Found) -> str:
+    """MJCF of the hand without the bodies and joints that carry its palm."""
     root = spec.body(model.body(found.base).name)
     fingers = _below(model, found.palm)
     carrying = {model.joint(j).name for j in range(model.njnt)} - fingers
@@ -98,11 +140,11 @@ def _prepared(path: Path, given: FingerMap) -> tuple[str, dict[str, float], Fing
     for part in spec.bodies:
         part.gravcomp = 1.0
     spec.compile()
-    return spec.to_xml(), torque, FingerMap(FrozenDict(found.names(model)))
+    return str(spec.to_xml())
 
 
 def _delete_rest(spec: Any, fingers: set[str]) -> None:
-    """Delete motors, sensors and key frames, and constraints other than joints that mimic others."""
+    """Delete motors, sensors, key frames, and constraints unless a joint mimics another."""
     kept = [e for e in spec.equalities if e.type == mujoco.mjtEq.mjEQ_JOINT and e.name1 in fingers]
     for listed in (spec.actuators, spec.sensors, spec.keys, spec.equalities):
         for part in [p for p in listed if not any(p is k for k in kept)]:

@@ -45,6 +45,7 @@ class RobotControls(QWidget):
             self._clutch_button(),
             self._reset_button(),
             self._model_box(),
+            self._fingers_button(),
             self._scale_box(),
             self._gesture_box(),
             self._port_box(),
@@ -92,6 +93,12 @@ class RobotControls(QWidget):
         self.model.activated.connect(lambda _i: self._choose_model())
         return self.model
 
+    def _fingers_button(self) -> QPushButton:
+        self.fingers = QPushButton(self.tr("Fingers"))
+        self.fingers.setCheckable(True)
+        self.fingers.setToolTip(self.tr("Show which links are the robot's fingertips"))
+        return self.fingers
+
     def _scale_box(self) -> QWidget:
         self.scale = QDoubleSpinBox()
         self.scale.setRange(0.1, 10.0)
@@ -135,7 +142,7 @@ class RobotControls(QWidget):
     def _choose_model(self) -> None:
         name = str(self.model.currentData() or "")
         if not name:
-            title, kinds = self.tr("Open robot hand"), self.tr("MuJoCo models (*.xml)")
+            title, kinds = self.tr("Open robot hand"), self.tr("Robot models (*.xml *.mjcf *.urdf)")
             name, _ = QFileDialog.getOpenFileName(self, title, str(Path.home()), kinds)
         if name:
             self._ask(lambda: self._link.change(model=name))

@@ -81,9 +81,14 @@ class RobotLink(QObject):
         self.changed.emit()
 
     def change(self, **changes: object) -> None:
-        """Change and store settings; a running robot restarts with them. Raises ConfigError."""
+        """Change and store settings; a running robot restarts with them. Links of fingers are
+        stored for each robot hand. Raises ConfigError."""
+        stored = self._store.value.robot_fingers
+        if "model" in changes:
+            changes = {"fingers": stored.get(str(changes["model"]), ""), **changes}
         self.settings = replace(self.settings, **changes)  # type: ignore[arg-type]
-        self._store.update(robot=asdict(self.settings))
+        fingers = {**stored, self.settings.model: self.settings.fingers}
+        self._store.update(robot=asdict(self.settings), robot_fingers=fingers)
         if self._process is not None:
             self.shut_down()
             self._follow()

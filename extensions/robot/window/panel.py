@@ -16,6 +16,7 @@ from app.widgets.view3d.scene import DrawnSurface, GroundLines
 from app.widgets.view3d.shapes import Surface
 from app.widgets.view3d.view_3d import View3D
 from extensions.robot.window.controls import RobotControls
+from extensions.robot.window.finger_table import FingerTable
 from extensions.robot.window.job import RobotLink
 from extensions.robot.window.view_model import RobotView, table_lines
 from tracker.messages import Shed
@@ -44,6 +45,10 @@ class RobotPanel(Panel):
         self.view.scene_changed.connect(self._forget)
         self.controls = RobotControls(self.link)
         self.controls.refused.connect(host.error)
+        self.fingers = FingerTable(self.link)
+        self.fingers.refused.connect(host.error)
+        self.fingers.hide()
+        self.controls.fingers.toggled.connect(self.fingers.setVisible)
         self.link.failed.connect(host.error)
         self.chip = Chip()
         self._drawn: tuple[RobotView, DrawnSurface] | None = None
@@ -55,6 +60,7 @@ class RobotPanel(Panel):
         head.addWidget(self.hand_choice)
         head.addWidget(self.controls, 1)
         column.addLayout(head)
+        column.addWidget(self.fingers)
         column.addWidget(self.view, 1)
         column.addWidget(self.chip)
 

@@ -21,6 +21,15 @@ _CLUTCHES = {
     "point": mark("pointing"),
     "fist": mark("fist"),
 }
+_FINGERS = {
+    "thumb": mark("Thumb"),
+    "index": mark("Index finger"),
+    "middle": mark("Middle finger"),
+    "ring": mark("Ring finger"),
+    "little": mark("Little finger"),
+    "palm": mark("Palm"),
+}
+_FOUND_BY = {"user": mark("your choice"), "name": mark("name"), "position": mark("position")}
 MOST_FORCE = 5.0  # N at which a fingertip has the full contact colour
 LATE_MS, FAR_MM = 15.0, 5.0
 AMBIENT = 0.12
@@ -35,6 +44,16 @@ def model_title(name: str) -> str:
 def clutch_title(name: str) -> str:
     """Displayed name of a clutch gesture."""
     return tr(_CLUTCHES.get(name, name))
+
+
+def finger_title(name: str) -> str:
+    """Displayed name of a finger, or of the palm."""
+    return tr(_FINGERS[name])
+
+
+def found_by(how: str) -> str:
+    """How a fingertip's link was found."""
+    return tr(_FOUND_BY[how]) if how in _FOUND_BY else ""
 
 
 def table_lines() -> tuple[Array, Array]:
