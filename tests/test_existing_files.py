@@ -39,7 +39,8 @@ NOT_WRITTEN = {
     *("--imu", "--joints", "--listen", "--live", "--motion", "--object", "--objects", "--photo"),
     *("--remote", "--remote-host", "--send", "--set", "--settings", "--stream", "--stream-host"),
     *("words", "--task", "--to", "--views", "--wearer", "--model", "--kinds", "--by", "--gaps"),
-    *("--folder", "--only", "reference", "--mapping", "--start", "--pulse", "--side"),
+    *("--folder", "--only", "reference", "--mapping", "--start", "--pulse", "--side", "model"),
+    "--fingers",
 }
 """Those that name what is read, devices, addresses, and other text."""
 
@@ -84,6 +85,7 @@ CASES: dict[str, Words] = {
     ],
     "light": lambda s, f: [s.raw, "--json", f / "j.json"],
     "crop": lambda s, f: [s.raw, "-o", f / "o.mcap", "--stop", 0.5, "--json", f / "j.json"],
+    "robot-hand": lambda s, f: ["-o", f / "o.toml", "--json", f / "j.json"],
     "teleop": lambda s, f: [s.tracked, "-o", f / "o.mcap", "--json", f / "j.json"],
     "import": lambda s, f: [s.table, "-o", f / "o.mcap", "--json", f / "j.json"],
     "info": lambda s, f: [s.tracked, "--json", f / "j.json"],
@@ -218,7 +220,7 @@ def files_in(folder: Path) -> dict[Path, bytes]:
 def test_what_exists_survives_without_force_and_is_replaced_with_it(
     command: str, sessions: Sessions, tmp_path: Path, quick: None
 ) -> None:
-    if command in ("teleop", "evaluate robot"):
+    if command in ("teleop", "robot-hand", "evaluate robot"):
         pytest.importorskip("mujoco")
     made = tmp_path / "made"
     made.mkdir()

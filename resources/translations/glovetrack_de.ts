@@ -1175,7 +1175,7 @@
     <message>
       <location filename="app/panels/hand/controls.py" />
       <source>Palm</source>
-      <translation>Innen</translation>
+      <translation>Handfläche</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
@@ -2345,7 +2345,7 @@
     <message>
       <location filename="app/panels/recording.py" />
       <source>none</source>
-      <translation>keiner</translation>
+      <translation>keines</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
@@ -8011,6 +8011,16 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/robot/window/controls.py" />
+      <source>Fingers</source>
+      <translation>Finger</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/controls.py" />
+      <source>Show which links are the robot's fingertips</source>
+      <translation>Zeigt, welche Glieder die Fingerspitzen des Roboters sind</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/controls.py" />
       <source>Motion scale</source>
       <translation>Bewegungsmaßstab</translation>
     </message>
@@ -8046,13 +8056,83 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/robot/window/controls.py" />
-      <source>MuJoCo models (*.xml)</source>
-      <translation>MuJoCo-Modelle (*.xml)</translation>
+      <source>Robot models (*.xml *.mjcf *.urdf)</source>
+      <translation>Robotermodelle (*.xml *.mjcf *.urdf)</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/controls.py" />
       <source>On: the robot follows the hand. Off: it holds its pose ({})</source>
       <translation>Ein: Der Roboter folgt der Hand. Aus: Er hält seine Pose ({})</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/finger_table.py" />
+      <source>Read robot hand</source>
+      <translation>Roboterhand lesen</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/finger_table.py" />
+      <source>Finger</source>
+      <translation>Finger</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/finger_table.py" />
+      <source>Link of the fingertip</source>
+      <translation>Glied der Fingerspitze</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/finger_table.py" />
+      <source>Found by</source>
+      <translation>Gefunden durch</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/finger_table.py" />
+      <source>Find automatically</source>
+      <translation>Automatisch finden</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/finger_table.py" />
+      <source>Discard your choices for this robot hand</source>
+      <translation>Ihre Auswahl für diese Roboterhand verwerfen</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/finger_table.py" />
+      <source>Read links from a file</source>
+      <translation>Glieder aus einer Datei lesen</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/finger_table.py" />
+      <source>Save…</source>
+      <translation>Speichern…</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/finger_table.py" />
+      <source>Write the links to a file, for other computers and teleop</source>
+      <translation>Die Glieder in eine Datei schreiben, für andere Computer und teleop</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/finger_table.py" />
+      <source>Reading the robot hand…</source>
+      <translation>Die Roboterhand wird gelesen…</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/finger_table.py" />
+      <source>Load links</source>
+      <translation>Glieder laden</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/finger_table.py" />
+      <source>Links of fingers (*.toml)</source>
+      <translation>Glieder der Finger (*.toml)</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/finger_table.py" />
+      <source>Save links</source>
+      <translation>Glieder speichern</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/finger_table.py" />
+      <source>{} mm</source>
+      <translation>{} mm</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/view_model.py" />
@@ -8068,6 +8148,41 @@ change {}: {}</source>
       <location filename="extensions/robot/window/view_model.py" />
       <source>pointing</source>
       <translation>Zeigen</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/view_model.py" />
+      <source>Index finger</source>
+      <translation>Zeigefinger</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/view_model.py" />
+      <source>Middle finger</source>
+      <translation>Mittelfinger</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/view_model.py" />
+      <source>Ring finger</source>
+      <translation>Ringfinger</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/view_model.py" />
+      <source>Little finger</source>
+      <translation>Kleiner Finger</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/view_model.py" />
+      <source>your choice</source>
+      <translation>Ihre Auswahl</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/view_model.py" />
+      <source>name</source>
+      <translation>Name</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/view_model.py" />
+      <source>position</source>
+      <translation>Lage</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/view_model.py" />
@@ -8823,36 +8938,6 @@ change {}: {}</source>
       <location filename="glovetrack.remote" />
       <source>name of the left hand's stream; any: every stream</source>
       <translation>Name des Streams der linken Hand; any: jeder Stream</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.remote" />
-      <source>Wrist pose (VRPN)</source>
-      <translation>Lage des Handgelenks (VRPN)</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.remote" />
-      <source>address of the computer that runs the VRPN server</source>
-      <translation>Adresse des Computers, auf dem der VRPN-Server läuft</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.remote" />
-      <source>port of the server</source>
-      <translation>Port des Servers</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.remote" />
-      <source>axis of the server that points up</source>
-      <translation>Achse des Servers, die nach oben zeigt</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.remote" />
-      <source>name of the right hand's tracker; any: every tracker</source>
-      <translation>Name des Trackers der rechten Hand; any: jeder Tracker</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.remote" />
-      <source>name of the left hand's tracker; any: every tracker</source>
-      <translation>Name des Trackers der linken Hand; any: jeder Tracker</translation>
     </message>
     <message>
       <location filename="glovetrack.formats" />
@@ -11526,18 +11611,38 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>The robot hand's fingers were not found. Name their bodies thumb (or th), index (ff), middle (mf), ring (rf) and little (lf).</source>
-      <translation>Die Finger der Roboterhand wurden nicht gefunden. Nennen Sie ihre Körper thumb (oder th), index (ff), middle (mf), ring (rf) und little (lf).</translation>
+      <source>A thumb and two other fingers were not found in the robot hand. Choose the links of its fingertips.</source>
+      <translation>In der Roboterhand wurden ein Daumen und zwei weitere Finger nicht gefunden. Wählen Sie die Glieder ihrer Fingerspitzen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Unknown finger "{finger}". Use {known:or}.</source>
+      <translation>Unbekannter Finger „{finger}“. Verwenden Sie {known:or}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The link "{link}" is the tip of two fingers.</source>
+      <translation>Das Glied „{link}“ ist die Spitze von zwei Fingern.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The robot hand has no link called "{link}".</source>
+      <translation>Die Roboterhand hat kein Glied namens „{link}“.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} has no table [fingers] with a link for each finger.</source>
+      <translation>{file} enthält keine Tabelle [fingers] mit einem Glied für jeden Finger.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The joint {joint} of the robot hand is not a hinge.</source>
+      <translation>Das Gelenk {joint} der Roboterhand ist kein Scharniergelenk.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>The robot hand's fingers do not share a palm.</source>
       <translation>Die Finger der Roboterhand haben keine gemeinsame Handfläche.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The robot hand's {finger:word} has no tip. Add a site named tip to its last body.</source>
-      <translation>Der Finger ({finger:word}) der Roboterhand hat keine Spitze. Fügen Sie seinem letzten Körper eine Site namens tip hinzu.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -11556,8 +11661,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>Robot hand "{name}" not found. Use {known:or} or the path of an MJCF file.</source>
-      <translation>Roboterhand „{name}“ nicht gefunden. Verwenden Sie {known:or} oder den Pfad einer MJCF-Datei.</translation>
+      <source>Robot hand "{name}" not found. Use {known:or} or the path of an MJCF or URDF file.</source>
+      <translation>Die Roboterhand „{name}“ wurde nicht gefunden. Verwenden Sie {known:or} oder den Pfad einer MJCF- oder URDF-Datei.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -11703,86 +11808,6 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>The axis {axis} cannot point up. Choose y or z.</source>
       <translation>Die Achse {axis} kann nicht nach oben zeigen. Wählen Sie y oder z.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The protocol has no participant {name}. It has: {known:list}.</source>
-      <translation>Das Protokoll hat keine Versuchsperson {name}. Es hat: {known:list}.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The folder {folder} contains a study by another protocol. Continue with the protocol in {stored}, or choose another folder.</source>
-      <translation>Der Ordner {folder} enthält eine Studie nach einem anderen Protokoll. Fahren Sie mit dem Protokoll in {stored} fort, oder wählen Sie einen anderen Ordner.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{folder} contains no study. Start one with: glovetrack study run.</source>
-      <translation>{folder} enthält keine Studie. Beginnen Sie eine mit: glovetrack study run.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The progress file {path} is damaged: {why}.</source>
-      <translation>Die Fortschrittsdatei {path} ist beschädigt: {why}.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>Another program is running the trials of {participant} in {folder}.</source>
-      <translation>Ein anderes Programm führt gerade die Durchgänge von {participant} in {folder} aus.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The study in {folder} has no accepted trial yet.</source>
-      <translation>Die Studie in {folder} hat noch keinen angenommenen Durchgang.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>This requires the extension {name}, which is not installed.</source>
-      <translation>Hierfür ist die Erweiterung {name} nötig, die nicht installiert ist.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The recording was interrupted before its end.</source>
-      <translation>Die Aufnahme wurde vor ihrem Ende abgebrochen.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The recording cannot be read: {why}</source>
-      <translation>Die Aufnahme ist nicht lesbar: {why}</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The recording lasts {duration_s:.1f} s; the protocol requires {least_s:.1f} s.</source>
-      <translation>Die Aufnahme dauert {duration_s:.1f} s; das Protokoll verlangt {least_s:.1f} s.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The hand was tracked for {found_percent:.0f} % of the time; the protocol requires {least_percent:.0f} %.</source>
-      <translation>Die Hand wurde {found_percent:.0f} % der Zeit verfolgt; das Protokoll verlangt {least_percent:.0f} %.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>Keypoints were measured for {found_percent:.0f} % of the time; the protocol requires {least_percent:.0f} %.</source>
-      <translation>Punkte der Hand wurden {found_percent:.0f} % der Zeit gemessen; das Protokoll verlangt {least_percent:.0f} %.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{found_percent:.1f} % of the packets were lost; the protocol allows {most_percent:.1f} %.</source>
-      <translation>{found_percent:.1f} % der Pakete gingen verloren; das Protokoll erlaubt {most_percent:.1f} %.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{found_hz:.0f} packets per second arrived; the protocol requires {least_hz:.0f}.</source>
-      <translation>{found_hz:.0f} Pakete pro Sekunde kamen an; das Protokoll verlangt {least_hz:.0f}.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{found_percent:.0f} % of the images were not searched; the protocol allows {most_percent:.0f} %.</source>
-      <translation>{found_percent:.0f} % der Bilder wurden nicht durchsucht; das Protokoll erlaubt {most_percent:.0f} %.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{found_hz:.1f} images per second arrived; the protocol requires {least_hz:.1f}.</source>
-      <translation>{found_hz:.1f} Bilder pro Sekunde kamen an; das Protokoll verlangt {least_hz:.1f}.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
