@@ -2,7 +2,7 @@
 
 A finger is the chain of hinges from the palm to the last body with a hinge. Names are those of its
 bodies, joints and sites (Shadow's ff, mf, rf, lf, th; index, middle, …). Chains without such a name
-are told apart by geometry: the thumb is the one without which the others are most nearly parallel,
+are identified by geometry: the thumb is the one without which the others are most nearly parallel,
 and the index finger is next to the thumb.
 """
 

@@ -133,7 +133,7 @@ def _alone(spec: Any, model: mujoco.MjModel, found: Found) -> str:
         spec.delete(joint)
     for body in [b for b in spec.worldbody.bodies if b.name != root.name]:
         spec.delete(body)
-    for name in _aside(model, found):
+    for name in _siblings(model, found):
         spec.delete(spec.body(name))
     for part in [*spec.worldbody.geoms, *spec.worldbody.sites, *spec.lights, *spec.cameras]:
         spec.delete(part)
@@ -151,7 +151,7 @@ def _delete_rest(spec: Any, fingers: set[str]) -> None:
             spec.delete(part)
 
 
-def _aside(model: mujoco.MjModel, found: Found) -> list[str]:
+def _siblings(model: mujoco.MjModel, found: Found) -> list[str]:
     """Bodies of the same root that neither carry the palm nor are carried by it."""
     way = path_to(model, found.palm)
     parents = [int(model.body_parentid[b]) for b in range(model.nbody)]

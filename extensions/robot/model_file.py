@@ -1,6 +1,6 @@
 """Reads a robot hand from an MJCF or a URDF file as a MuJoCo specification.
 
-A URDF has no bodies without joints after MuJoCo has read it, unless it is told to keep them:
+A URDF has no bodies without joints after MuJoCo has read it, unless options keep them:
 fingertips are often such links. Meshes are looked for next to the file and in the folders of ROS
 packages (package://); what MuJoCo cannot read (glTF, Collada) or does not find is left out, and a
 link without any shape gets capsules along its bones.
