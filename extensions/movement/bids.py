@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -37,6 +38,10 @@ class MotionChannel(NamedTuple):
     units: str
 
 
+Scan = tuple[str, str]
+"""A motion file relative to its subject or session, and when it begins (UTC)."""
+
+
 class System(NamedTuple):
     """A tracking system: values (N, C), one row per ``1 / rate`` s except in gaps; ``duration`` in
     s from the first row to the end of the last row's period."""
@@ -49,24 +54,70 @@ class System(NamedTuple):
     duration: float
 
 
+@dataclass(frozen=True)
+class Entities:
+    """What a recording is in a data set: labels of letters and digits; ``session`` and ``run`` may
+    be empty and 0. ``description`` of the task."""
+
+    subject: str
+    session: str = ""
+    task: str = TASK
+    run: int = 0
+    description: str = "Movement of a hand wearing a sensor glove"
+
+    @property
+    def folder(self) -> Path:
+        """Of the subject or the session, relative to the data set."""
+        session = f"ses-{self.session}" if self.session else ""
+        return Path(f"sub-{self.subject}", session)
+
+    @property
+    def above(self) -> str:
+        """Name of the subject or the session, for files about all its recordings."""
+        return f"sub-{self.subject}" + (f"_ses-{self.session}" if self.session else "")
+
+    def stem(self, tracksys: str = "") -> str:
+        """Name of a file of this recording up to its suffix."""
+        system = f"_tracksys-{tracksys}" if tracksys else ""
+        run = f"_run-{self.run:02}" if self.run else ""
+        return f"{self.above}_task-{self.task}{system}{run}"
+
+
 def export_bids(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
     """Write the data set to the new folder ``path``. Lost values are ``n/a``."""
     m = load_series(reader, options, even=True)
     who = "" if "participant" in options.anonymous else m.info.participant
-    subject = "sub-" + (re.sub(r"[^A-Za-z0-9]", "", who) or "01")
-    folder = path / subject / "motion"
-    folder.mkdir(parents=True)
+    entities = Entities(re.sub(r"[^A-Za-z0-9]", "", who) or "01")
+    scans = _add(reader, m, path, entities, options)
+    write_scans(path, entities, scans)
+    write_top(path, {entities.subject: m.info.side})
+    return m
+
+
+def add_recording(
+    reader: SessionReader, path: Path, entities: Entities, options: ExportOptions
+) -> list[Scan]:
+    """Write the files of one recording into the data set at ``path``; returns its scans. To be
+    completed by `write_scans` for each session, and `write_top`."""
+    return _add(reader, load_series(reader, options, even=True), path, entities, options)
+
+
+def _add(
+    reader: SessionReader, m: EstimateSeries, path: Path, entities: Entities, options: ExportOptions
+) -> list[Scan]:
+    folder = path / entities.folder / "motion"
+    folder.mkdir(parents=True, exist_ok=True)
     systems = [_hand(m, options.units or "m")]
     raw = read_raw_imu(reader, need=False)
     if len(raw) > 1:
         systems.append(_imu(raw, m))
-    _top(path, subject, m)
     for system in systems:
-        _write(folder / f"{subject}_task-{TASK}_tracksys-{system.name}", system, m)
+        _write(folder / entities.stem(system.name), system, m, entities)
     if "notes" not in options.anonymous:
-        _events(folder / f"{subject}_task-{TASK}_events", reader, m)
-    _scans(path / subject, subject, systems, m, "time" not in options.anonymous)
-    return m
+        _events(folder / f"{entities.stem()}_events", reader, m)
+    when = datetime.fromtimestamp(int(m.stamp_ns[0]) * 1e-9, UTC).isoformat(timespec="microseconds")
+    time = when.replace("+00:00", "Z") if "time" not in options.anonymous else "n/a"
+    return [(f"motion/{entities.stem(s.name)}_motion.tsv", time) for s in systems]
 
 
 def _hand(m: EstimateSeries, unit: str) -> System:
@@ -100,7 +151,7 @@ def _imu(raw: RawImu, m: EstimateSeries) -> System:
     return System("imu", "Glovetrack, inertial sensors", raw.rate, channels, table, duration)
 
 
-def _write(stem: Path, system: System, m: EstimateSeries) -> None:
+def _write(stem: Path, system: System, m: EstimateSeries, entities: Entities) -> None:
     with Path(f"{stem}_motion.tsv").open("w", encoding="utf-8", newline="\n") as out:
         for row in system.values:
             out.write("\t".join("n/a" if np.isnan(v) else f"{v:.9g}" for v in row) + "\n")
@@ -116,8 +167,8 @@ def _write(stem: Path, system: System, m: EstimateSeries) -> None:
     counts = {f"{t}ChannelCount": types.count(t) for t in _TYPES}
     points = {c.tracked_point for c in system.channels} - {"n/a"}
     sidecar = {
-        "TaskName": TASK,
-        "TaskDescription": "Movement of a hand wearing a sensor glove",
+        "TaskName": entities.task,
+        "TaskDescription": entities.description,
         "SamplingFrequency": round(system.rate, 6),
         "SamplingFrequencyEffective": round(len(system.values) / system.duration, 6),
         "MotionChannelCount": len(types),
@@ -146,9 +197,16 @@ def _frame(c: MotionChannel) -> str:
     return known.get(c.type, "sensor")
 
 
-def _top(path: Path, subject: str, m: EstimateSeries) -> None:
+def write_top(
+    path: Path,
+    sides: Mapping[str, str],
+    name: str = "Hand movement tracked with a sensor glove",
+    more: str = "",
+) -> None:
+    """Write the files about the whole data set; ``sides``: the hand of each subject by label;
+    ``more``: a paragraph of its README."""
     description = {
-        "Name": "Hand movement tracked with a sensor glove",
+        "Name": name,
         "BIDSVersion": VERSION,
         "DatasetType": "raw",
         "GeneratedBy": [{"Name": "Glovetrack", "Version": __version__}],
@@ -158,8 +216,9 @@ def _top(path: Path, subject: str, m: EstimateSeries) -> None:
         "Exported by Glovetrack. `tracksys-hand` contains the estimated hand, `tracksys-imu` the "
     )
     text += "measurements of the glove's inertial sensors.\n"
-    (path / "README.md").write_text(text, "utf-8")
-    _table(path / "participants.tsv", ("participant_id", "hand"), [(subject, m.info.side)])
+    (path / "README.md").write_text(text + (f"\n{more}\n" if more else ""), "utf-8")
+    rows = [(f"sub-{subject}", side) for subject, side in sides.items()]
+    _table(path / "participants.tsv", ("participant_id", "hand"), rows)
     columns = {"hand": {"Description": "Hand with the glove", "Levels": {
 
         "left": "left hand", "right": "right hand"}}}  # fmt: skip
@@ -179,13 +238,10 @@ def _events(stem: Path, reader: SessionReader, m: EstimateSeries) -> None:
         _json(stem.with_suffix(".json"), columns)
 
 
-def _scans(
-    folder: Path, subject: str, systems: list[System], m: EstimateSeries, dated: bool
-) -> None:
-    when = datetime.fromtimestamp(int(m.stamp_ns[0]) * 1e-9, UTC).isoformat(timespec="microseconds")
-    time = when.replace("+00:00", "Z") if dated else "n/a"
-    rows = [(f"motion/{subject}_task-{TASK}_tracksys-{s.name}_motion.tsv", time) for s in systems]
-    _table(folder / f"{subject}_scans.tsv", ("filename", "acq_time"), rows)
+def write_scans(path: Path, entities: Entities, scans: Sequence[Scan]) -> None:
+    """Write the list of all recordings of a subject's session."""
+    name = f"{entities.above}_scans.tsv"
+    _table(path / entities.folder / name, ("filename", "acq_time"), scans)
 
 
 def _table(path: Path, head: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> None:

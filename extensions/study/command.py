@@ -6,10 +6,14 @@ Functions import what they need, so that ``glovetrack --help`` is fast.
 from __future__ import annotations
 
 import argparse
+import contextlib
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tracker.base.command import Command, UsageError
+from tracker.base.errors import ConfigError
+from tracker.base.notices import failure
 from tracker.base.terminal import add_json, check_json, finish, printable
 
 if TYPE_CHECKING:
@@ -115,6 +119,139 @@ def _status(args: argparse.Namespace) -> None:
     finish(args, status_as_json(study), lines_of_status(study))
 
 
+# ---- tables
+
+
+def _add_tables(parser: argparse.ArgumentParser) -> None:
+    _add_folder(parser)
+    parser.add_argument(
+        "-o", "--output", type=Path, metavar="CSV", help="table (default: DIR/tables.csv)"
+    )
+    parser.add_argument(
+        "--ablations",
+        action="store_true",
+        help="track each trial again with the engines chain and vist and with variants of them",
+    )
+    parser.add_argument(
+        "--variants", default="", metavar="A,B", help="only these variants (list: see the table)"
+    )
+    parser.add_argument("--processes", type=int, metavar="N", help="default: one per core")
+    add_json(parser)
+
+
+def _tables(args: argparse.Namespace) -> None:
+    from dataclasses import asdict
+
+    from extensions.study.folder import open_study
+    from tracker.base.files import check_target, write_whole
+    from tracker.base.terminal import progress_line
+
+    with _other_extension("evaluation"):
+        from extensions.study import retrack, tables
+
+    study = open_study(args.folder)
+    out = args.output or args.folder / "tables.csv"
+    check_json(args)
+    check_target(out, args.force or args.output is None)
+    names = tuple(n.strip() for n in args.variants.split(",") if n.strip())
+    names = names or (tuple(retrack.variants()) if args.ablations else (retrack.RECORDED,))
+    evaluated = tables.evaluate(
+        study, retrack.chosen(names), args.processes, progress_line("tracking")
+    )
+    rows = tables.rows_of(evaluated)
+    write_whole(out, tables.as_csv(rows), force=args.force or args.output is None)
+    lines = [*tables.lines_of(rows), f"{out}: {len(rows)} rows"]
+    finish(args, {"rows": [asdict(row) for row in rows]}, lines, [out])
+
+
+# ---- report
+
+
+def _add_report(parser: argparse.ArgumentParser) -> None:
+    _add_folder(parser)
+    parser.add_argument(
+        "-o",
+        "--output",
+        type=Path,
+        metavar="OUT",
+        help="folder of the report (default: DIR/report)",
+    )
+    parser.add_argument(
+        "--movement",
+        action="store_true",
+        help="also compare ranges of motion, speed and smoothness of all trials",
+    )
+
+
+def _report(args: argparse.Namespace) -> None:
+    from extensions.study.folder import open_study
+    from extensions.study.report import report_page, touch_lines, write_movement
+    from tracker.base.files import make_folder, write_whole
+
+    study = open_study(args.folder)
+    folder = args.output or args.folder / "report"
+    make_folder(folder)
+    touch = list(touch_lines(study, folder))
+    page = folder / "report.html"
+    write_whole(page, report_page(study, touch, _errors(study)))
+    print(page)
+    if args.movement:
+        write_movement(study, folder / "movement.html")
+        print(folder / "movement.html")
+
+
+def _errors(study: Study) -> str:
+    """The table of errors as recorded, as HTML; empty without references."""
+    from tracker.base.report_page import html_table
+
+    try:
+        with _other_extension("evaluation"):
+            from extensions.study import retrack, tables
+        evaluated = tables.evaluate(study, retrack.chosen((retrack.RECORDED,)), processes=1)
+    except ConfigError:
+        return ""
+    return html_table(*tables.as_table(tables.rows_of(evaluated)))
+
+
+# ---- export
+
+
+def _add_export(parser: argparse.ArgumentParser) -> None:
+    _add_folder(parser)
+    parser.add_argument(
+        "-o", "--output", type=Path, required=True, metavar="OUT", help="folder of the data set"
+    )
+    parser.add_argument(
+        "--anonymous", action="store_true", help="omit dates and notes; labels remain"
+    )
+    add_json(parser)
+
+
+def _export(args: argparse.Namespace) -> None:
+    from extensions.study.folder import open_study
+    from tracker.base.terminal import progress_line
+    from tracker.session.export.options import ExportOptions
+
+    with _other_extension("movement"):
+        from extensions.study.export import export_study
+
+    check_json(args)
+    study = open_study(args.folder)
+    options = ExportOptions(anonymous=("time", "notes") if args.anonymous else ())
+    count = export_study(study, args.output, options, args.force, progress_line("exporting"))
+    result = {"recordings": count, "folder": str(args.output)}
+    finish(args, result, [f"{args.output}: {count} recordings"], [args.output])
+
+
+@contextlib.contextmanager
+def _other_extension(name: str) -> Iterator[None]:
+    """Imports of another extension, whose folder may have been removed."""
+    try:
+        yield
+    except ModuleNotFoundError as error:
+        raise ConfigError(failure("study.needs_extension", name=name)) from error
+
+
 STUDY = Command[argparse.Namespace]("study", "studies with several participants, from one file")
 CHECK = Command[argparse.Namespace](
     "study check",
@@ -133,4 +270,24 @@ RUN = Command[argparse.Namespace](
 )
 STATUS = Command[argparse.Namespace](
     "study status", "list how far each participant is", _status, add=_add_status
+)
+TABLES = Command[argparse.Namespace](
+    "study tables",
+    "write mean, SD and PCK per condition and keypoint, where trials have a reference",
+    _tables,
+    add=_add_tables,
+    description="The tables of Lee et al. 2021: errors of the four keypoints against the reference "
+    "(glovetrack import-reference) or the truth of simulated trials.",
+)
+EXPORT = Command[argparse.Namespace](
+    "study export",
+    "write the accepted trials of all participants as one data set (Motion-BIDS)",
+    _export,
+    add=_add_export,
+)
+REPORT = Command[argparse.Namespace](
+    "study report",
+    "write one HTML page about all trials: verdicts, times, touch tests, errors",
+    _report,
+    add=_add_report,
 )

@@ -2,6 +2,6 @@
 
 from __future__ import annotations
 
-from extensions.study.command import CHECK, RUN, STATUS, STUDY
+from extensions.study.command import CHECK, EXPORT, REPORT, RUN, STATUS, STUDY, TABLES
 
-__all__ = ["CHECK", "RUN", "STATUS", "STUDY"]
+__all__ = ["CHECK", "EXPORT", "REPORT", "RUN", "STATUS", "STUDY", "TABLES"]

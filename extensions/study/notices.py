@@ -10,6 +10,11 @@ TEXTS = {
     "study.progress_damaged": "The progress file {path} is damaged: {why}.",
     "study.in_use": "Another program is running the trials of {participant} in {folder}.",
     "study.no_trials": "The study in {folder} has no accepted trial yet.",
+    "study.no_truth": (
+        "No accepted trial has a reference. Add motion-capture recordings with glovetrack "
+        "import-reference; only simulated trials contain their truth."
+    ),
+    "study.unknown_variant": "Unknown variant {name}. Available: {known:list}.",
     "study.needs_extension": "This requires the extension {name}, which is not installed.",
     "study.unfinished": "The recording was interrupted before its end.",
     "study.unreadable": "The recording cannot be read: {why}",
