@@ -11,7 +11,7 @@ from pathlib import Path
 
 from app.engines.demo_camera import DURATION, DemoChoice, demo_spec, start_camera
 from app.engines.engine import CameraPart, EngineSetup, GlovePart, LivePart, seen_from_main
-from app.engines.protocols import ReferenceHand
+from app.engines.protocols import Plan, ReferenceHand
 from app.engines.recording import recorder_maker
 from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
@@ -245,17 +245,32 @@ class GuidedWearer:
         self._held = HeldHand(simulation.wearer, HoldParams(), rng)
         self._gestures: dict[str, tuple[float, ...]] = {}
         self._thread = ThreadPoolExecutor(1, "glovetrack-demo-guide")
+        self._closed = False
 
     def show(self, pose: str) -> None:
         """Take the pose within about two seconds; empty: resume the motion."""
-        self._thread.submit(self._ask, pose)
+        self._submit(self._ask, pose)
 
     def show_gesture(self, gesture: str) -> None:
         """Make the gesture within about 2.5 s; empty: resume the motion."""
-        self._thread.submit(self._ask_gesture, gesture)
+        self._submit(self._ask_gesture, gesture)
         if not self._gestures:  # a pinch takes a second to solve: start before it is needed
             for finger in FINGERS:
-                self._thread.submit(self._gesture, f"pinch_{finger}")
+                self._submit(self._gesture, f"pinch_{finger}")
+
+    def follow(self, plan: Plan, name: str) -> None:
+        """Carry out the postures of ``plan``, which is called with the simulation and the first
+        time (s) that can be changed."""
+        self._submit(self._ask_plan, plan, name)
+
+    def _ask_plan(self, plan: Plan, name: str) -> None:
+        for asked in plan(self._simulation, self._clock() + AHEAD):
+            self._send(asked, name)
+
+    def _submit(self, work: Callable[..., object], *args: object) -> None:
+        """A dialog may still ask while the demo is closed; nothing moves any more."""
+        if not self._closed:
+            self._thread.submit(work, *args)
 
     def _gesture(self, name: str) -> tuple[float, ...]:
         """(J,) rad."""
@@ -282,4 +297,5 @@ class GuidedWearer:
 
     def close(self) -> None:
         """End the thread."""
+        self._closed = True
         self._thread.shutdown(wait=True, cancel_futures=True)

@@ -9,6 +9,7 @@ import os
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from tracker.base.registry import names_of
 from tracker.glove import library
 from tracker.simulation.shows import WORD
 
@@ -28,7 +29,9 @@ LIGHT = "led"  # over the desk, of `tracker.simulation.desk.lights.LIGHTS`
 DESK_FPS, DESK_CORES = 30.0, 4
 """By default there is a desk up to this frame rate and from this number of cores on: it takes twice
 as long to render as a wall, and on two cores half of 30 images per second were missing."""
-SCENES = ("auto", "desk", "plain")
+OTHER_SCENES = tuple(names_of("scenes"))
+"""Of `tracker.simulation.rooms.KINDS`."""
+SCENES = ("auto", "desk", "plain", *OTHER_SCENES)
 HANDS = ("right", "left", "both")
 LENSES = ("both", "one", "none")
 
@@ -79,6 +82,7 @@ def demo_spec(seed: int = SEED, choice: DemoChoice | None = None) -> DemoSpec:
         choice.fps,
         choice.motion,
         light=LIGHT if desk else "",
+        scene=choice.scene if choice.scene in OTHER_SCENES and choice.hands != "both" else "",
         others=tuple(texts[1:]),
         one_camera=choice.lenses != "both",
         table=0.0 if choice.uses_application else TABLE,

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol, TypeAlias
 
 from tracker.base.notices import Notice
 from tracker.fusion.engine import Engine
@@ -34,6 +34,10 @@ from tracker.sensors.camera_controls import CameraReport, Control, Locks
 from tracker.sensors.camera_fixed import FixedSetting
 from tracker.sensors.glove_report import GloveReport
 from tracker.vision.colours import ColourProfile
+
+if TYPE_CHECKING:  # a window without a demo does not load the simulator
+    from tracker.simulation.posture_requests import PostureRequest
+    from tracker.simulation.scenario import Simulation
 
 
 @dataclass(frozen=True)
@@ -107,6 +111,10 @@ class CommandedHand(Protocol):
     def reference_estimate(self) -> Estimate | None: ...
 
 
+Plan: TypeAlias = "Callable[[Simulation, float], Sequence[PostureRequest]]"
+"""The postures for a simulated wearer to take from a time (s) on, at which the wearer can begin."""
+
+
 class SimulatedWearer(Protocol):
     """A simulated wearer who does what the guidance shows; empty names end it."""
 
@@ -115,6 +123,9 @@ class SimulatedWearer(Protocol):
 
     def show_gesture(self, gesture: str) -> None:
         """Make a gesture of `tracker.simulation.gestures`."""
+
+    def follow(self, plan: Plan, name: str) -> None:
+        """Carry out the postures of a plan, which the recording calls ``name``."""
 
 
 class WindowEngine(Protocol):

@@ -247,6 +247,31 @@ def test_the_queue_is_limited_for_images_and_not_for_packets(sim):
     assert isinstance(inbox.get(0.0), DetectedFrame), "there is room again"
 
 
+def test_images_are_not_starved_by_a_backlog_of_packets(sim):
+    """An engine that is as fast as the packets arrive never has an empty queue."""
+    inbox, messages, fed = Inbox(), messages_of(sim), []
+    behind = 60  # packets
+    for message in messages:
+        waiting = item(message)
+        if isinstance(waiting, DetectedFrame):
+            inbox.put_frame(waiting)
+            continue
+        inbox.put(waiting)
+        if inbox.figures()["engine_waiting"] > behind:
+            fed.append(inbox.get(0.0))
+    images = [x.frame for x in fed if isinstance(x, DetectedFrame)]
+    packets = [x.sample for x in fed if isinstance(x, Sided)]
+    assert [p.t for p in packets] == sorted(p.t for p in packets)
+    seen = np.array([f.t for f in images])
+    assert len(seen) > 3 and np.diff(seen).max() < 0.5
+    for image in images:
+        place = next(
+            k for k, x in enumerate(fed) if isinstance(x, DetectedFrame) and x.frame is image
+        )
+        after = [x for x in fed[place:] if isinstance(x, Sided)]
+        assert not after or image.t_arrival <= after[0].sample.t_arrival + 0.011
+
+
 def test_rendering_waits_while_a_message_is_processed(sim) -> None:
     loop, _clock = loop_on(sim)
     taken: list[bool] = []

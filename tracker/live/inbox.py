@@ -1,6 +1,8 @@
 """The queue of the engine thread: all packets and commands, and a few images.
 
-Packets go before images: one takes a tenth of the time, and a robot or a motor waits for it.
+Packets go before images: one takes a tenth of the time, and a robot or a motor waits for it. While
+more packets wait than a computer with time to spare ever has, images are fed in their order of
+arrival instead, though fewer of them: without any image the hand would be lost.
 Messages are stamped when they are fed (`tracker.live.loop.ArrivalOrder`), so a session contains the
 actual order.
 """
@@ -21,6 +23,9 @@ from tracker.messages import BlobFrame, StereoFrame, WristPose
 T = TypeVar("T")
 SIZE = 4096  # 40 s of packets
 MAX_FRAMES_BEHIND = 3  # with more the hand would be shown late
+BACKLOG = 30  # packets; with more the hand is late already
+FRAME_EVERY = 0.25  # s between further images that wait with a backlog
+LONGEST_FRAMES = 18  # images that wait at most, 5 MB each
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,7 +85,7 @@ class Inbox:
     def put_frame(self, found: DetectedFrame) -> None:
         """Appends an image, or skips it while the engine still has older ones."""
         with self._changed:
-            self._skipped += self._is_refused(self._frames, found, MAX_FRAMES_BEHIND)
+            self._skipped += self._is_refused(self._frames, found, self._most_frames(found))
 
     def _is_refused(self, queue: deque[T], item: T, most: int) -> bool:
         """Appends to a queue of at most ``most`` items. Returns whether that was refused; nothing
@@ -92,12 +97,29 @@ class Inbox:
             return False
         return not self._closed
 
+    def _most_frames(self, found: DetectedFrame) -> int:
+        """The number of images that may wait; with a backlog of packets, some from all of it."""
+        backlog = len(self._items) // BACKLOG
+        if not backlog or not self._frames:
+            return MAX_FRAMES_BEHIND
+        spaced = found.frame.t - self._frames[-1].frame.t >= FRAME_EVERY
+        return min(MAX_FRAMES_BEHIND + spaced * backlog, LONGEST_FRAMES)
+
+    def _frame_is_due(self) -> bool:
+        """Whether there is a backlog of packets and the oldest image arrived before all of it."""
+        if not self._frames or len(self._items) < BACKLOG:
+            return False
+        oldest = self._items[0]
+        if not isinstance(oldest, Sided | WristPose):
+            return False
+        return self._frames[0].frame.t_arrival <= oldest.t_arrival
+
     def get(self, timeout: float) -> Item | None:
         """Returns the oldest packet or command, else the oldest image; None if there is none within
         ``timeout`` s. Raises Closed once it is closed and empty."""
         with self._changed:
             self._changed.wait_for(lambda: self._items or self._frames or self._closed, timeout)
-            if self._items:
+            if self._items and not self._frame_is_due():
                 return self._items.popleft()
             if self._frames:
                 return self._frames.popleft()

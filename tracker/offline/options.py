@@ -46,7 +46,7 @@ class SimulateOptions:
         default="plain",
         metadata=argument(
             "background; desk also simulates the room lighting and the camera's noise and blur",
-            choices=("plain", "painted", "photo", "desk"),
+            choices=("plain", "painted", "photo", "desk", *names_of("scenes")),
         ),
     )
     photo: str = field(

@@ -48,13 +48,13 @@ def build(options: SimulateOptions) -> tuple[Simulation, SessionInfo]:
         raise ConfigError(f"Hands can be left, right or both, not {options.hands!r}.")
     glove = options.glove or GLOVES[options.hands]
     info = _info(options, library.texts(glove, options.hand or None))
-    room = room_of(options.scene, options.light, options.photo, options.seed)
+    seed, rig = options.seed, _rig(options)
+    room = room_of(options.scene, options.light, options.photo, seed, rig)
     head = _head(options.camera)
     params = SimulationParams(
         head=head, render=room.render, person=options.person, right_late=options.right_late
     )
     motion = _led(options, info, _motion(options, info))
-    seed, rig = options.seed, _rig(options)
     sim = Simulation(info.hand, info.glove, motion, seed, params, options.fps, rig, room.extras)
     if options.images and rig is not None:
         sim.renderer  # noqa: B018  raises what cannot be drawn before a file is created
@@ -169,9 +169,9 @@ def build_both(options: SimulateOptions) -> tuple[TwoHandsSimulation, SessionInf
     _check_numbers(options)
     infos = {side: _info(options, library.texts(glove)) for side, glove in GLOVES.items()}
     dressed = {side: GlovedHand(info.hand, info.glove) for side, info in infos.items()}
-    room = room_of(options.scene, options.light, options.photo, options.seed)
-    params = SimulationParams(render=room.render)
     seed, rig = options.seed, _rig(options)
+    room = room_of(options.scene, options.light, options.photo, seed, rig)
+    params = SimulationParams(render=room.render)
     sim = TwoHandsSimulation(dressed, seed, options.duration, options.fps, params, rig)
     hues = tuple(dict.fromkeys(h for info in infos.values() for h in info.glove.hues))
     left, right = (replace(infos[side], rig=sim.rig, hues=hues) for side in SIDES)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import cv2
@@ -40,19 +40,23 @@ def fabric_bgr(hue: str) -> tuple[float, float, float]:
 
 @dataclass(frozen=True)
 class BackgroundParams:
-    """``kind``: plain, painted or photograph (``path`` is then the image file)."""
+    """``kind``: plain, painted, photograph (``path`` is then the image file) or given (``given``
+    are then the images (h, w, 3) of the left and the right camera)."""
 
     kind: str = "plain"
     path: str = ""
     distance: float = 0.75  # m, of the plane it is painted on
     grey: float = 128.0
     blobs: int = 60  # number of coloured ones in a painted background
+    given: tuple[Image, Image] | None = field(default=None, compare=False)
 
 
 def make_background(
     params: BackgroundParams, width: int, height: int, disparity: int, seed: int
 ) -> tuple[Image, Image]:
     """Left and right background (height, width, 3), the right one shifted by ``disparity`` px."""
+    if params.given is not None:
+        return params.given
     size = (width + disparity, height)
     if params.kind == "plain":
         canvas = _plain(params.grey, *size)

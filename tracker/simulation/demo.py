@@ -54,6 +54,7 @@ class DemoSpec:
     motion: str = ""
     exposures: int = 1  # per image: no motion blur, half the drawing time
     light: str = ""  # of a desk with objects; a plain wall if empty
+    scene: str = ""  # of `tracker.simulation.rooms.KINDS`, in place of both
     others: tuple[HandTexts, ...] = ()
     one_camera: bool = False  # only the left of two
     right_late: float = 0.0  # s by which the right camera exposes after the left one
@@ -82,7 +83,8 @@ def build(spec: DemoSpec) -> Simulation:
     else:
         own = RandomPostures(hand, spec.seed, duration=spec.duration, camera=spec.rig.pose)
         motion = RequestedMotion(own, spec.seed)
-    room = room_of("desk" if spec.light else "plain", spec.light, seed=spec.seed)
+    scene = spec.scene or ("desk" if spec.light else "plain")
+    room = room_of(scene, spec.light, seed=spec.seed, rig=spec.rig)
     render = replace(room.render, exposures=spec.exposures)
     if isinstance(render, DeskParams):
         render = replace(render, backgrounds=BACKGROUNDS)

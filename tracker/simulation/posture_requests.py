@@ -18,22 +18,32 @@ AHEAD = 1.6
 second before they are sent (`tracker.simulation.drawn_ahead`)."""
 TURN = np.deg2rad(60.0)  # of the wrist, to either side
 SWAY_DEG = 0.8  # sd of a hand that holds a posture
+AT_REST = 0.2  # of the sway remains in a hand that rests on something
 SWAY_TIME = 0.8  # s, correlation
 
 
 class PostureRequest(NamedTuple):
     """From ``t`` (s) on the hand assumes a posture of ``angles`` (J,) rad, in front of the camera;
     without any it continues its own motion. ``turning`` is the period (s) of an alternating
-    rotation about the forearm during the posture; 0: none."""
+    rotation about the forearm during the posture; 0: none. ``place``: R_GB by rows and p_GB (m) of
+    a hand that rests there. ``move`` (s): of the transition."""
 
     t: float
     angles: tuple[float, ...] = ()
     turning: float = 0.0
+    place: tuple[float, ...] = ()
+    move: float = MOVE
 
 
 def request_event(asked: PostureRequest, pose: str, t: float) -> Event:
     """The recorded event at ``t`` (s): the posture is of ``pose``, or (empty) the wearer's own."""
-    data = {"t": asked.t, "angles": list(asked.angles), "turning": asked.turning}
+    data: dict[str, object] = {
+        "t": asked.t,
+        "angles": list(asked.angles),
+        "turning": asked.turning,
+    }
+    if asked.place:
+        data |= {"place": list(asked.place), "move": asked.move}
     if pose:
         return Event.of(t, "device", notice("simulation.pose_shown", pose=pose), {"asked": data})
     return Event.of(t, "device", notice("simulation.pose_over"), {"asked": data})
@@ -44,7 +54,13 @@ def request_in(event: Event) -> PostureRequest | None:
     data = event.data.get("asked")
     if not isinstance(data, dict):
         return None
-    return PostureRequest(data["t"], tuple(data["angles"]), data.get("turning", 0.0))
+    return PostureRequest(
+        data["t"],
+        tuple(data["angles"]),
+        data.get("turning", 0.0),
+        tuple(data.get("place", ())),
+        data.get("move", MOVE),
+    )
 
 
 class RequestedMotion:
@@ -75,7 +91,7 @@ class RequestedMotion:
         at = np.concatenate([t, [a.t for a in count]])
         out = own = self._own.poses(at)
         for k, asked in enumerate(count):
-            share = minimum_jerk((at - asked.t) / MOVE)
+            share = minimum_jerk((at - asked.t) / asked.move)
             there = self._held(at, asked) if asked.angles else own
             out = _between(out, there, share, len(t) + k)
         n = len(t)
@@ -84,15 +100,19 @@ class RequestedMotion:
     def _that_count(self, t: float) -> tuple[PostureRequest, ...]:
         """The last request reached by ``t``, and all later ones."""
         asked = self.asked
-        reached = [k for k, a in enumerate(asked) if a.t + MOVE <= t]
+        reached = [k for k, a in enumerate(asked) if a.t + a.move <= t]
         return asked[reached[-1] :] if reached else asked
 
     def _held(self, t: Array, asked: PostureRequest) -> Poses:
         sway = np.deg2rad(SWAY_DEG) * self._sway(t)
-        p = np.tile(self._p, (len(t), 1))
-        R = self._R @ so3.exp(sway[:, -3:])
+        R_0, p_0 = self._R, self._p
+        if asked.place:
+            sway *= AT_REST
+            R_0, p_0 = np.reshape(asked.place[:9], (3, 3)), np.array(asked.place[9:])
+        p = np.tile(p_0, (len(t), 1))
+        R = R_0 @ so3.exp(sway[:, -3:])
         if asked.turning:
-            since = t - asked.t - MOVE
+            since = t - asked.t - asked.move
             roll = TURN * np.cos(2 * np.pi * since / asked.turning)
             R = R @ so3.exp(np.outer(roll, [1.0, 0.0, 0.0]))
         return Poses(np.array(asked.angles) + sway[:, :-3], R, p)

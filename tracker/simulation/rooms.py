@@ -1,12 +1,18 @@
-"""The rooms available for images, by name, and the wearer's forearm."""
+"""The rooms available for images, by name, and the wearer's forearm.
+
+Packages add rooms as entry points of the group ``glovetrack.scenes`` that name a `SceneKind`.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
 from tracker.base.errors import ConfigError
+from tracker.base.registry import Registry
 from tracker.messages import Array
 from tracker.simulation.backgrounds import BackgroundParams
 from tracker.simulation.desk.lights import LIGHTS, light_of
@@ -15,6 +21,7 @@ from tracker.simulation.render import RenderParams
 from tracker.simulation.scene import Extra
 from tracker.simulation.smooth import rng_for
 from tracker.simulation.solids import UNOWNED, Solids, capsules
+from tracker.vision.rig import StereoRig, ideal_rig
 
 BGR = (
     (118, 160, 212), (96, 132, 186), (66, 92, 140), (150, 184, 226),
@@ -60,17 +67,36 @@ class Room(NamedTuple):
     extras: tuple[Extra, ...]
 
 
-def room_of(scene: str, light: str = "", photo: str = "", seed: int = 0) -> Room:
-    """A room of `SCENES`; ``light`` is the desk's, ``photo`` the path of an image.
+@dataclass(frozen=True)
+class SceneKind:
+    """A room of another package: ``make(rig, seed)`` returns it as the rig's cameras, which do not
+    move, see it. ``name`` is the entry point's."""
+
+    name: str
+    title: str
+    make: Callable[[StereoRig, int], Room]
+
+
+KINDS = Registry("scenes", "scene", SceneKind)
+
+
+def room_of(
+    scene: str, light: str = "", photo: str = "", seed: int = 0, rig: StereoRig | None = None
+) -> Room:
+    """A room of `SCENES` or `KINDS`; ``light`` is the desk's, ``photo`` the path of an image,
+    ``rig`` the cameras if they are not the ideal ones.
 
     Raises ConfigError for unknown names and invalid combinations.
     """
-    if scene not in SCENES:
-        raise ConfigError(f"The scene can be {', '.join(SCENES)}, not {scene!r}.")
+    if scene not in (*SCENES, *KINDS.names()):
+        known = ", ".join((*SCENES, *KINDS.names()))
+        raise ConfigError(f"The scene can be {known}, not {scene!r}.")
     if light and scene != "desk":
         raise ConfigError(f"The light can be chosen for the scene desk, not for {scene}.")
     if bool(photo) != (scene == "photo"):
         raise ConfigError("The scene photo needs an image (--photo), and no other scene has one.")
+    if scene not in SCENES:
+        return KINDS.get(scene).make(rig or ideal_rig(), seed)
     if scene == "desk":
         name = light or DEFAULT_LIGHT
         light_of(name)

@@ -48,12 +48,10 @@ class PulpParams:
 
 @dataclass(frozen=True, eq=False)
 class _Key:
-    """One touch: posture (J,) and R_GB of the hand, contact (3,) m in G; times s."""
+    """One touch; times s."""
 
     cue: Cue
-    angles: Array
-    R_GB: Array
-    contact: Array
+    on: Touching
     leave: float  # the previous cross
     above: float
     down: float
@@ -72,6 +70,72 @@ class _Given:
         return self.given
 
 
+@dataclass(frozen=True, eq=False)
+class Touching:
+    """The hand on a cross: posture (J,) rad, R_GB, and the contact (3,) m in G."""
+
+    angles: Array
+    R_GB: Array
+    contact: Array
+
+
+class Touches:
+    """How one wearer touches: own pulps, and an inclination and a miss that are drawn for each
+    touch. ``rng`` is used for all of it."""
+
+    def __init__(
+        self, wearer: Wearer, sheet: SheetPlace, rng: np.random.Generator, params: PulpParams
+    ) -> None:
+        self.wearer, self.sheet, self.params, self._rng = wearer, sheet, params, rng
+        self._draw_pulps()
+
+    def _draw_pulps(self) -> None:
+        p, w, rng = self.params, self.wearer, self._rng
+        rows = [w.hand.index[f"{f}_distal"] for f in FINGERS]
+        self._row = dict(zip(FINGERS, rows, strict=True))
+        self._centre: dict[str, Array] = {}
+        self._radius: dict[str, float] = {}
+        for finger, row in self._row.items():
+            radius = w.hand.segments[row].radius * w.scale[row, 2]
+            length = w.hand.segments[row].length * w.scale[row, 0]
+            own = rng.normal(0, p.place, 3)
+            self._centre[finger] = np.array([length - radius, 0.0, 0.0]) + own
+            self._radius[finger] = radius - abs(rng.normal(p.flattened, p.flattened_sd))
+
+    def touch(self, cue: Cue) -> Touching:
+        """A touch of the cross that ``cue`` asks for."""
+        miss = np.append(self._rng.normal(0, self.params.aim, 2), 0.0)
+        contact = self.sheet.target(BY_NAME[cue.target].p_S) + self.sheet.R_GS @ miss
+        angles, R_GB = self._reach(cue)
+        return Touching(angles, R_GB, contact)
+
+    def root(self, finger: str, t: Array, angles: Array, R: Array, contact: Array) -> Array:
+        """(n, 3) m: where the dorsum is while the pulp's lowest point is at ``contact`` (n, 3)."""
+        return contact - self._contact(finger, t, angles, R, np.zeros((len(t), 3)))
+
+    def _reach(self, cue: Cue) -> tuple[Array, Array]:
+        """Posture (J,) and R_GB of the hand that has the pulp of the finger on the paper."""
+        rng, p, hand = self._rng, self.params, self.wearer.hand
+        angles = posture(hand, _POSTURE[cue.finger])
+        R_0 = hand.forward(angles, np.eye(3), np.zeros(3))[0][self._row[cue.finger]]
+        pitch_deg, yaw_deg, roll_deg = _INCLINED[cue.finger]
+        side = -1.0 if hand.side == "left" else 1.0
+        pitch_deg += rng.normal(0, p.pitch_deg)
+        yaw_deg = side * yaw_deg + TURN_DEG.get(cue.how, 0.0) + rng.normal(0, 5.0)
+        roll_deg = side * roll_deg + rng.normal(0, p.roll_deg)
+        yaw, pitch, roll = np.deg2rad([yaw_deg, pitch_deg, roll_deg])
+        R_GD = so3.rz(yaw) @ so3.ry(pitch) @ so3.rx(roll)
+        return angles, R_GD @ R_0.T
+
+    def _contact(self, finger: str, t: Array, angles: Array, R: Array, p: Array) -> Array:
+        """(n, 3) m in G of the lowest point of the pulp."""
+        given = _Given(Poses(angles, np.broadcast_to(R, (len(t), 3, 3)), p))
+        R_GB, p_GB, _ = self.wearer.segments(given, t)
+        row = self._row[finger]
+        centre = p_GB[:, row] + R_GB[:, row] @ self._centre[finger]
+        return centre + self._radius[finger] * self.sheet.R_GS[:, 2]
+
+
 class TouchMotion:
     """Moves freely for ``lead`` s as ``before``, then carries out the touches: a `Motion`."""
 
@@ -86,12 +150,12 @@ class TouchMotion:
         seed: int,
         params: PulpParams | None = None,
     ) -> None:
-        self.wearer, self.sheet, self.params = wearer, sheet, params or PulpParams()
+        self.params = params or PulpParams()
         self._before, self._lead = before, before.duration
         self._rng = rng_for(seed, "touches")
         hand = wearer.hand
         self._sway = SmoothNoise(self._rng, (len(hand.joint_names) + 6,), 0.7)
-        self._draw_pulps()
+        self._touches = Touches(wearer, sheet, self._rng, self.params)
         self.cued: list[Cued] = []
         self._keys: list[_Key] = []
         t = self._lead + 0.5
@@ -107,47 +171,17 @@ class TouchMotion:
             out += [began(c.cue, c.begin), ended(c.cue, c.end)]
         return out
 
-    def _draw_pulps(self) -> None:
-        p, w, rng = self.params, self.wearer, self._rng
-        rows = [w.hand.index[f"{f}_distal"] for f in FINGERS]
-        self._row = dict(zip(FINGERS, rows, strict=True))
-        self._centre: dict[str, Array] = {}
-        self._radius: dict[str, float] = {}
-        for finger, row in self._row.items():
-            radius = w.hand.segments[row].radius * w.scale[row, 2]
-            length = w.hand.segments[row].length * w.scale[row, 0]
-            own = rng.normal(0, p.place, 3)
-            self._centre[finger] = np.array([length - radius, 0.0, 0.0]) + own
-            self._radius[finger] = radius - abs(rng.normal(p.flattened, p.flattened_sd))
-
     def _add(self, cue: Cue, t: float) -> float:
         """Append the touch of ``cue``, asked for at ``t``; returns its end."""
-        rng, p = self._rng, self.params
-        leave = t + rng.uniform(0.15, 0.4)
+        leave = t + self._rng.uniform(0.15, 0.4)
         gone = AWAY + 1.6 if cue.how == "away" else 0.0
         above = leave + TRANSIT + gone
         down = above + APPROACH["fast" if cue.how == "fast" else "slow"]
         up = down + REST
-        aim = self.sheet.R_GS @ np.append(rng.normal(0, p.aim, 2), 0.0)
-        contact = self.sheet.target(BY_NAME[cue.target].p_S) + aim
-        angles, R = self._reach(cue)
-        self._keys.append(_Key(cue, angles, R, contact, leave, above, down, up))
+        on = self._touches.touch(cue)
+        self._keys.append(_Key(cue, on, leave, above, down, up))
         self.cued.append(Cued(cue, t, up + MARGIN))
         return up + MARGIN
-
-    def _reach(self, cue: Cue) -> tuple[Array, Array]:
-        """Posture (J,) and R_GB of the hand that has the pulp of the finger on the paper."""
-        rng, p, hand = self._rng, self.params, self.wearer.hand
-        angles = posture(hand, _POSTURE[cue.finger])
-        R_0 = hand.forward(angles, np.eye(3), np.zeros(3))[0][self._row[cue.finger]]
-        pitch_deg, yaw_deg, roll_deg = _INCLINED[cue.finger]
-        side = -1.0 if hand.side == "left" else 1.0
-        pitch_deg += rng.normal(0, p.pitch_deg)
-        yaw_deg = side * yaw_deg + TURN_DEG.get(cue.how, 0.0) + rng.normal(0, 5.0)
-        roll_deg = side * roll_deg + rng.normal(0, p.roll_deg)
-        yaw, pitch, roll = np.deg2rad([yaw_deg, pitch_deg, roll_deg])
-        R_GD = so3.rz(yaw) @ so3.ry(pitch) @ so3.rx(roll)
-        return angles, R_GD @ R_0.T
 
     def poses(self, t: Array) -> Poses:
         """Of each instant: between two touches the hand goes from one posture to the next."""
@@ -169,10 +203,10 @@ class TouchMotion:
         if last is None:
             angles_0, R_0 = before.angles[now], before.R_GB[now]
         else:
-            angles_0, R_0 = last.angles[None], last.R_GB[None]
+            angles_0, R_0 = last.on.angles[None], last.on.R_GB[None]
         sway = self._sway(t)
-        angles = angles_0 + share * (key.angles - angles_0) + np.deg2rad(0.6) * sway[:, :-6]
-        turn = so3.log(np.swapaxes(R_0, 1, 2) @ key.R_GB)
+        angles = angles_0 + share * (key.on.angles - angles_0) + np.deg2rad(0.6) * sway[:, :-6]
+        turn = so3.log(np.swapaxes(R_0, 1, 2) @ key.on.R_GB)
         R = R_0 @ so3.exp(share * turn + np.deg2rad(0.5) * sway[:, -6:-3])
         p = self._root(key, t, angles, R, sway[:, -3:])
         if last is None:
@@ -196,17 +230,9 @@ class TouchMotion:
         """(n, 3) m: where the dorsum is when the contact of ``key`` follows its path."""
         low = minimum_jerk((t - key.above) / (key.down - key.above))
         high = minimum_jerk((t - key.up) / 0.35)
-        path = key.contact + (1 - low * (1 - high))[:, None] * HOVER
+        path = key.on.contact + (1 - low * (1 - high))[:, None] * HOVER
         path = path + self.params.tremor * tremor
-        return path - self._contact(key.cue.finger, t, angles, R, np.zeros((len(t), 3)))
-
-    def _contact(self, finger: str, t: Array, angles: Array, R: Array, p: Array) -> Array:
-        """(n, 3) m in G of the lowest point of the pulp."""
-        given = _Given(Poses(angles, np.broadcast_to(R, (len(t), 3, 3)), p))
-        R_GB, p_GB, _ = self.wearer.segments(given, t)
-        row = self._row[finger]
-        centre = p_GB[:, row] + R_GB[:, row] @ self._centre[finger]
-        return centre + self._radius[finger] * self.sheet.R_GS[:, 2]
+        return self._touches.root(key.cue.finger, t, angles, R, path)
 
 
 class OtherHand:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import Qt, QTimer, QUrl
@@ -22,17 +24,22 @@ from PySide6.QtWidgets import (
 
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
+from app.engines.protocols import SimulatedWearer
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore, sessions_folder
 from app.viewmodels.recording import RecordingPlan
 from app.words import error_text
 from extensions.touch.pose import SheetPose, find_sheet
+from extensions.touch.protocol import Cue
 from extensions.touch.window.job import Written, touch_job
 from extensions.touch.window.view_model import TouchPhase, TouchRun, cue_words
 from tracker.base.clock import monotonic
 from tracker.base.errors import GlovetrackError
 from tracker.base.files import whole_file
 from tracker.messages import Array, Validity
+
+if TYPE_CHECKING:
+    from extensions.touch.simulated.live import Follower
 
 TASK = "touch-test"
 TICK_MS = 33
@@ -53,6 +60,8 @@ class TouchDialog(QDialog):
         super().__init__(parent)
         self._host, self._setup, self._store, self._tasks = host, setup, store, tasks
         self._take: Path | None = None
+        self._follower: Follower | None = None  # of a simulated wearer
+        self._followed: Cue | None = None
         self.run = TouchRun(host.notes.add)
         self.setWindowTitle(self.tr("Touch test"))
         self.setObjectName("touch_test")
@@ -64,6 +73,7 @@ class TouchDialog(QDialog):
         host.running_changed.connect(self._running_changed)
         host.closed.connect(self.reject)
         self.show_run()
+        self._lead_away()
 
     def _lay_out(self) -> None:
         self.words, self.how = QLabel(), QLabel()
@@ -166,10 +176,34 @@ class TouchDialog(QDialog):
     def tick(self) -> None:
         """Refresh; called by the timer."""
         self.run.tick(monotonic(), self._tip())
+        self._lead()
         self.show_run()
         if self.run.phase == TouchPhase.DONE:
             self._timer.stop()
             self._end_take()
+
+    # --- a simulated wearer
+
+    def _lead_away(self) -> None:
+        """Let a simulated wearer uncover the sheet."""
+        wearer = self._wearer()
+        if wearer is not None:
+            from extensions.touch.simulated.live import Follower  # the simulator
+
+            self._follower = Follower()
+            wearer.follow(self._follower.away, "away")
+
+    def _lead(self) -> None:
+        """Let a simulated wearer carry out the current cue."""
+        wearer, cue = self._wearer(), self.run.cue
+        if wearer is None or self._follower is None or cue == self._followed:
+            return
+        self._followed = cue
+        if self.run.phase == TouchPhase.RUNNING:
+            wearer.follow(partial(self._follower.cue, cue), f"{cue.what} {cue.number}")
+
+    def _wearer(self) -> SimulatedWearer | None:
+        return self._setup.live.wearer if self._setup.live is not None else None
 
     def _tip(self) -> Array | None:
         """(3,) m in G of the finger asked for."""
@@ -239,4 +273,7 @@ class TouchDialog(QDialog):
         self._timer.stop()
         self.run.cancel(monotonic())
         self._end_take()
+        wearer = self._wearer()
+        if wearer is not None:
+            wearer.show("")
         super().done(result)
