@@ -13,14 +13,21 @@ RULER_MM = (240.0, 280.0)
 
 def add_touch_test(parser: argparse.ArgumentParser) -> None:
     """Its arguments."""
-    parser.add_argument("session", type=Path, metavar="SESSION", help="session of a touch test")
+    parser.add_argument(
+        "sessions",
+        type=Path,
+        nargs="+",
+        metavar="SESSION",
+        help="session of a touch test; several of one person, who put the glove on again for each, "
+        "give the repeatability",
+    )
     parser.add_argument(
         "-o",
         "--output",
         type=Path,
         required=True,
         metavar="REPORT.html",
-        help="the HTML page; a PDF file of the same name is written next to it",
+        help="the HTML page; of one session also a PDF file of the same name next to it",
     )
     parser.add_argument(
         "--ruler",
@@ -36,15 +43,22 @@ def add_touch_test(parser: argparse.ArgumentParser) -> None:
 def touch_test(args: argparse.Namespace) -> int:
     """Write the report."""
     from extensions.touch.analyse import analyse
+    from extensions.touch.repeated_report import repeated_json, write_repeated
     from extensions.touch.report import as_json, write_report
 
     if args.ruler is not None and not RULER_MM[0] <= args.ruler <= RULER_MM[1]:
         raise ConfigError("--ruler must be 240 to 280 mm: measure the printed line of 260 mm.")
-    check_json(args, [args.session])
+    check_json(args, args.sessions)
     ruler = None if args.ruler is None else args.ruler / 1000
-    result = analyse(args.session, ruler, args.side, progress_line("reading"))
-    written = write_report(result, args.output, args.force, [args.session])
+    results = [analyse(s, ruler, args.side, progress_line("reading")) for s in args.sessions]
+    if len(results) > 1:
+        page = write_repeated(results, args.output, args.force, args.sessions)
+        found = repeated_json(results)
+        finish(args, found, [found["line"], str(page)], [*args.sessions, page])
+        return 0
+    result = results[0]
+    written = write_report(result, args.output, args.force, args.sessions)
     lines = [result.line, *(str(n) for n in result.notices)]
     lines.append(", ".join(str(path) for path in written))
-    finish(args, as_json(result), lines, [args.session, *written])
+    finish(args, as_json(result), lines, [*args.sessions, *written])
     return 0

@@ -28,6 +28,11 @@ TEXTS = {
     "touch.too_few": (
         "{count} touches were found; the touch test requires {least} of at least one finger."
     ),
+    "touch.several_people": (
+        "The sessions belong to several people or hands ({found}). Repeatability is that of one "
+        "hand."
+    ),
+    "touch.no_common_finger": "No finger was tested in all of these sessions.",
     "touch.missed": "No touch was found for {count} cues: {numbers}.",
     "touch.pulp_far": (
         "The contact of the {finger:word} is {off_mm:.1f} mm from the hand file's. Check the "

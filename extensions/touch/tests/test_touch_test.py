@@ -109,6 +109,33 @@ def replace_bias(tracker: KnownTracker) -> KnownTracker:
     return tracker
 
 
+def test_repeatability_over_wearings(tmp_path: Path, capsys) -> None:
+    """Four wearings whose biases differ by a known SD. It is found to the accuracy that three
+    fingers, three axes and 8 touches of 2 mm allow: 27 % (95 %, chi-square with 27 degrees of
+    freedom)."""
+    rng, sd_wearing, names = np.random.default_rng(7), 0.003, []
+    for k in range(4):
+        tracker = KnownTracker(
+            Trial(5, lead=1.0), {f: rng.normal(0, sd_wearing, 3).tolist() for f in FINGERS}, SD, SD
+        )
+        tracker.noise = rng.normal(0, SD, tracker.noise.shape)
+        names.append(tmp_path / f"wearing{k}.mcap")
+        write_session(names[-1], tracker.trial, tracker.estimates())
+    out = tmp_path / "r.html"
+    words = [*map(str, names), "-o", str(out), "--json", str(tmp_path / "r.json")]
+    assert main(["touch-test", *words]) == 0
+    found = json.loads((tmp_path / "r.json").read_text())
+    fingers = found["fingers"].values()
+    wearing = np.sqrt(np.mean([f["wearing_sd_mm"] ** 2 for f in fingers]))
+    within = np.sqrt(np.mean([f["within_sd_mm"] ** 2 for f in fingers]))
+    assert wearing == pytest.approx(1e3 * sd_wearing, rel=0.35)
+    assert within == pytest.approx(1e3 * np.hypot(SD, 0.0006), rel=0.15)
+    for f in fingers:
+        expected = 1.96 * np.sqrt(2) * np.hypot(f["wearing_sd_mm"], f["within_sd_mm"])
+        assert f["limit_mm"] == pytest.approx(expected)
+    assert found["line"] in capsys.readouterr().out and "<h1>" in out.read_text("utf-8")
+
+
 def test_ruler_and_return_tests(results) -> None:
     """Errors of 2 mm per axis: a length of 80 mm is off by 2.8 mm, and the scale of some 20
     independent ones by 0.8 %; two errors differ by 2 √(2 · 3) = 4.9 mm."""
