@@ -17,6 +17,7 @@ WINDOW = 0.10  # s on both sides over which a speed is taken
 SPEED = 0.025  # m/s below which a tip rests
 SHORTEST = 0.25  # s
 EDGE = 0.05  # s left out at both ends: the tip still slows down
+UNDERWAY = WINDOW + EDGE + 0.05  # s after the cue, by which a rest has begun before it
 NEAR, HIGH = 0.060, 0.045
 """m off a cross, and its paper, within which a touch that was asked for is found, however wrong."""
 OTHER, SURELY = 0.008, 0.030
@@ -103,12 +104,16 @@ def _speed(track: TipTrack) -> Array:
 
 
 def _asked_touch(tracks: Mapping[str, TipTrack], c: Cued, pose: SheetPose) -> Touch | None:
-    """The longest rest on a cross while it was asked for."""
+    """The longest rest on a cross while it was asked for; a finger that still rests on the cross
+    before when it is asked for the next one counts only if it does not rest again."""
     if c.cue.finger not in tracks:
         return None
     track = tracks[c.cue.finger].between(c.begin, c.end)
     best = None
-    for begin, end in rests(track):
+    spans = rests(track)
+    if len(spans) > 1 and spans[0][0] < c.begin + UNDERWAY:
+        spans = spans[1:]
+    for begin, end in spans:
         names, off = _crosses_near(_mean(track, begin, end), pose, HIGH)
         asked_off = dict(zip(names, off, strict=True))[c.cue.target]
         other = off[0] < OTHER and asked_off > SURELY

@@ -1,13 +1,15 @@
-"""Images of the printed sheet before a stereo camera, without a hand."""
+"""Images of the printed sheet before a stereo camera."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+import cv2
 import numpy as np
+from numpy.typing import NDArray
 
-from extensions.touch.sheet import COLUMNS, ROWS, SQUARE, TouchSheet
+from extensions.touch.sheet import COLUMNS, CROSS, CROSSES, ROWS, SQUARE, TouchSheet
 from tracker.calibration.stereo.board import BoardSpec
 from tracker.geometry import so3
 from tracker.messages import Array, StereoFrame
@@ -19,6 +21,7 @@ from tracker.simulation.rooms import Room
 from tracker.simulation.smooth import rng_for
 from tracker.vision.rig import StereoRig, default_pose
 
+LINE_PX = 2  # width of a cross's lines
 _MIDDLE = np.array([TouchSheet.width / 2, TouchSheet.height / 2, 0.0])
 
 
@@ -64,11 +67,25 @@ def sheet_frames(
         yield StereoFrame(t=t, t_arrival=t + 0.04, left=left, right=right, index=k)
 
 
+def _printed() -> NDArray[np.uint8]:
+    """The sheet with its flat crosses; the ridge is not drawn."""
+    image = TouchSheet().image(SQUARE_PX)
+    half = round(0.5 * CROSS / SQUARE * SQUARE_PX)
+    for cross in CROSSES:
+        if cross.height == 0.0:
+            u, v = (round(x / SQUARE * SQUARE_PX) for x in (cross.x, cross.y))
+            cv2.line(image, (u - half, v), (u + half, v), 0, LINE_PX)
+            cv2.line(image, (u, v - half), (u, v + half), 0, LINE_PX)
+            place = (u + half // 2, v - half // 2)
+            cv2.putText(image, cross.name, place, cv2.FONT_HERSHEY_SIMPLEX, 0.6, 0, LINE_PX)
+    return image
+
+
 def _drawn(
     place: SheetPlace, rig: StereoRig, noise: float = 2.0
 ) -> tuple[BoardRenderer, BoardPose]:
     spec = replace(BoardSpec(), columns=COLUMNS, rows=ROWS, square=SQUARE * place.scale)
-    renderer = BoardRenderer(true_rig(rig), spec, noise, printed=TouchSheet().image(SQUARE_PX))
+    renderer = BoardRenderer(true_rig(rig), spec, noise, printed=_printed())
     R_LG = rig.left.R.T @ rig.pose.R_GC.T
     return renderer, BoardPose(R_LG @ place.R_GS, R_LG @ (place.p_GS - rig.pose.p_GC))
 

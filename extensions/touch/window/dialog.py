@@ -60,6 +60,7 @@ class TouchDialog(QDialog):
         super().__init__(parent)
         self._host, self._setup, self._store, self._tasks = host, setup, store, tasks
         self._take: Path | None = None
+        self._clock = 0.0  # s, of the last estimate that was judged
         self._follower: Follower | None = None  # of a simulated wearer
         self._followed: Cue | None = None
         self.run = TouchRun(host.notes.add)
@@ -112,11 +113,11 @@ class TouchDialog(QDialog):
         self.start_button.clicked.connect(self.start)
         self.accept_button = QPushButton(self.tr("&Touched"))
         self.accept_button.setToolTip(self.tr("Accept the touch although it was not detected"))
-        self.accept_button.clicked.connect(lambda: self.run.accept(monotonic()))
+        self.accept_button.clicked.connect(lambda: self.run.accept(self._now()))
         self.skip_button = QPushButton(self.tr("S&kip"))
-        self.skip_button.clicked.connect(lambda: self.run.skip(monotonic()))
+        self.skip_button.clicked.connect(lambda: self.run.skip(self._now()))
         self.repeat_button = QPushButton(self.tr("&Repeat the last one"))
-        self.repeat_button.clicked.connect(lambda: self.run.repeat(monotonic()))
+        self.repeat_button.clicked.connect(lambda: self.run.repeat(self._now()))
         row = QHBoxLayout()
         for button in (
             *(self.repeat_button, self.skip_button, self.accept_button),
@@ -164,7 +165,7 @@ class TouchDialog(QDialog):
         if self._host.recording.begin(request):
             self._take = request.path
             self.run = TouchRun(self._host.notes.add)
-            self.run.start(monotonic(), pose, self.ruler.value() / 1000)
+            self.run.start(self._now(), pose, self.ruler.value() / 1000)
             self._timer.start()
             self.tick()
 
@@ -175,7 +176,7 @@ class TouchDialog(QDialog):
 
     def tick(self) -> None:
         """Refresh; called by the timer."""
-        self.run.tick(monotonic(), self._tip())
+        self.run.tick(self._now(), self._tip())
         self._lead()
         self.show_run()
         if self.run.phase == TouchPhase.DONE:
@@ -204,6 +205,13 @@ class TouchDialog(QDialog):
 
     def _wearer(self) -> SimulatedWearer | None:
         return self._setup.live.wearer if self._setup.live is not None else None
+
+    def _now(self) -> float:
+        """s: the instant of the tip that is judged, which is in the past on a loaded computer. The
+        cues are recorded with it, so that each one is around its touch."""
+        estimate = self._setup.tracked.latest_estimate()
+        self._clock = max(self._clock, estimate.t) if estimate is not None else monotonic()
+        return self._clock
 
     def _tip(self) -> Array | None:
         """(3,) m in G of the finger asked for."""
@@ -271,7 +279,7 @@ class TouchDialog(QDialog):
     def done(self, result: int) -> None:
         """Close; what was recorded so far is an ordinary recording."""
         self._timer.stop()
-        self.run.cancel(monotonic())
+        self.run.cancel(self._now())
         self._end_take()
         wearer = self._wearer()
         if wearer is not None:
