@@ -74,8 +74,9 @@ def _page(results: Sequence[TouchResult], repeated: Sequence[Repeated]) -> str:
         html_table(("session", "finger", "touches", *AXES), _biases(results)),
         "<h2>Definitions</h2><p>All figures are per axis of the sheet, pooled over the three axes. "
         "The part that is due to the wearing is what the number of touches does not explain, by "
-        "one-way analysis of variance with random effects (ISO 5725-2); 0 means that it cannot be "
-        "told from 0. The limit is 1.96 √2 times the SD of one touch in one wearing. In brackets: "
+        "one-way analysis of variance with random effects (ISO 5725-2); 0 means that no "
+        "difference between wearings was found. The limit is 1.96 √2 times the SD of one touch "
+        "in one wearing. In brackets: "
         "95 % confidence interval by chi-square.</p>",
         f"<p>Glovetrack {escape(__version__)}</p>",
     ]
