@@ -5,6 +5,8 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from extensions.sheets.kinds import SHEETS
+from tracker.base.registry import names_of
 from tracker.base.terminal import add_force
 
 PAPERS = ("a4", "letter")
@@ -14,9 +16,9 @@ def add_print(parser: argparse.ArgumentParser) -> None:
     """Its arguments."""
     parser.add_argument(
         "what",
-        choices=("markers", "wiring", "board", "touch"),
-        help="marker patches and their positions, the wiring, the camera's calibration board, or "
-        "the sheet of the touch test",
+        choices=names_of("sheets"),
+        help="marker patches and their positions, the wiring, the camera's calibration board, or a "
+        "sheet of another extension",
     )
     parser.add_argument("-o", "--out", type=Path, required=True, help="the PDF file")
     parser.add_argument(
@@ -28,25 +30,13 @@ def add_print(parser: argparse.ArgumentParser) -> None:
 
 def print_sheets(args: argparse.Namespace) -> int:
     """Write the PDF file."""
-    from extensions.sheets.board import board_page
-    from extensions.sheets.markers import marker_pages
     from extensions.sheets.page import save_pages
-    from extensions.sheets.wiring import wiring_page
     from tracker.base.files import check_target, whole_file
     from tracker.glove import library
 
     check_target(args.out, args.force)
     hand, glove = library.load(args.glove or library.DEFAULT_GLOVE)
-    if args.what == "markers":
-        pages, title = marker_pages(hand, glove, args.paper), f"Markers of the glove {glove.name}"
-    elif args.what == "wiring":
-        pages, title = [wiring_page(glove, args.paper)], f"Wiring of the glove {glove.name}"
-    elif args.what == "touch":
-        from extensions.touch.page import touch_pages
-
-        pages, title = touch_pages(args.paper), "Sheet of the touch test"
-    else:
-        pages, title = [board_page(args.paper)], "Calibration board"
+    pages, title = SHEETS.get(args.what).pages(hand, glove, args.paper)
     with whole_file(args.out, args.force) as part:
         save_pages(pages, part, title)
     print(f"{args.out}: {len(pages)} page{'s' if len(pages) > 1 else ''}; print at 100 % scale")

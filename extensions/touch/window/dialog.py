@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -42,6 +43,7 @@ if TYPE_CHECKING:
     from extensions.touch.simulated.live import Follower
 
 TASK = "touch-test"
+PRINTING = __name__.partition(".touch.")[0] + ".sheets"  # the extension that writes PDF
 TICK_MS = 33
 RULER_MM = 260.0
 
@@ -108,6 +110,7 @@ class TouchDialog(QDialog):
         self.sheet_button = QPushButton(self.tr("S&ave the sheet…"))
         self.sheet_button.setToolTip(self.tr("The sheet and its ridge as PDF, to be printed"))
         self.sheet_button.clicked.connect(self._ask_where_to_save)
+        self.sheet_button.setEnabled(find_spec(PRINTING) is not None)
         self.start_button = QPushButton(self.tr("&Start"))
         self.start_button.setDefault(True)
         self.start_button.clicked.connect(self.start)
