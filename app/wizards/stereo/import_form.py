@@ -85,7 +85,7 @@ def ask_zed(parent: QWidget) -> tuple[Path, None] | None:
 def ask_opencv(parent: QWidget) -> tuple[Path, ImportForm] | None:
     """Ask for a file written by OpenCV's tools, and for missing information."""
     title = QCoreApplication.translate("StereoWizard", "OpenCV calibration")
-    path, _ = QFileDialog.getOpenFileName(parent, title, "", "*.yml *.yaml *.xml *.json")
+    path, _ = QFileDialog.getOpenFileName(parent, title, "", "*.yml *.yaml *.xml *.json *.toml")
     form = ask_import_form(Path(path), parent) if path else None
     return (Path(path), form) if form is not None else None
 

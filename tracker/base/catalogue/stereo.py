@@ -68,8 +68,8 @@ TEXTS = {
     "stereo.cover_distance": "Hold the board closer, then farther away.",
     "stereo.cover_more": "Show a few more views, each different from the others.",
     "stereo.unknown_file": (
-        "{path} is not a stereo calibration: the file of a ZED ends in .conf, that of "
-        "OpenCV in .yml."
+        "{path} is not a stereo calibration: the file of a ZED ends in .conf, those of OpenCV and "
+        "Kalibr in .yml or .yaml, and those of Anipose, FreeMoCap and Caliscope in .toml."
     ),
     "stereo.file_refused": "{path} is not usable. {why}",
     "stereo.not_opencv": "{path} is not a calibration that OpenCV can read.",
@@ -84,6 +84,10 @@ TEXTS = {
     "stereo.coefficients": (
         "{path}: the {side:word} camera has {count} distortion coefficients; only k1 k2 "
         "p1 p2 k3 are supported."
+    ),
+    "stereo.lens_model": (
+        "{path}: the lens model of {camera} is {model}; only pinhole lenses with k1 k2 p1 p2 k3 "
+        "are supported."
     ),
     "stereo.baseline_negative": (
         "The stereo calibration has a baseline of {baseline_mm:.1f} mm: left and right "

@@ -1,10 +1,12 @@
 """Stereo calibration files: ours are OpenCV's YAML with the image's size, in metres.
 
-`load_rig` reads ours, other OpenCV files and a ZED's factory file, and rejects implausible ones.
+`load_rig` reads ours, other OpenCV files, a ZED's factory file, and those of Kalibr, Anipose,
+FreeMoCap and Caliscope, and rejects implausible ones.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -14,13 +16,16 @@ import numpy as np
 from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import write_with_folder
 from tracker.base.notices import notice
+from tracker.base.toml_reader import read_text
 from tracker.calibration.stereo.checks import extrinsics_of, require_plausible
 from tracker.messages import Array
 from tracker.sensors.rig_files import load_opencv_stereo, load_zed, opencv_text
+from tracker.sensors.rig_other_files import is_kalibr, load_camera_tables, load_kalibr
 from tracker.sensors.stereo_calibration import Intrinsics
 from tracker.vision.rig import StereoRig
 
 ZED_SUFFIX = ".conf"
+TABLES_SUFFIX = ".toml"
 SUFFIXES = (ZED_SUFFIX, ".yml", ".yaml", ".xml", ".json")
 
 
@@ -93,6 +98,10 @@ def load_rig(path: Path, form: ImportForm | None = None) -> StereoRig:
     suffix = path.suffix.lower()
     if suffix == ZED_SUFFIX:
         rig = load_zed(path, form.height, fps=form.fps)
+    elif suffix == TABLES_SUFFIX:
+        rig = _refused_by_path(path, lambda: load_camera_tables(path, form.unit))
+    elif suffix in (".yml", ".yaml") and is_kalibr(read_text(path)):
+        rig = _refused_by_path(path, lambda: load_kalibr(path))
     elif suffix in SUFFIXES:
         rig = _load_opencv(path, form)
     else:
@@ -108,9 +117,18 @@ def _load_opencv(path: Path, form: ImportForm) -> StereoRig:
     paths = [path, beside] if path.stem == "intrinsics" and beside.is_file() else [path]
     # our own files are in metres, whatever ``form`` is for others
     unit = 1.0 if size else form.unit
-    try:
+
+    def load() -> StereoRig:
         rig = load_opencv_stereo(paths, width, height, unit, right_size=right_size)
         return replace(rig, line_time=_number(path, "line_time"))
+
+    return _refused_by_path(path, load)
+
+
+def _refused_by_path(path: Path, load: Callable[[], StereoRig]) -> StereoRig:
+    """What ``load`` returns; a ConfigError names the file."""
+    try:
+        return load()
     except ConfigError as error:
         raise ConfigError(notice("stereo.file_refused", path=path, why=error)) from error
 

@@ -1,0 +1,185 @@
+"""``python -m app.tools.stream_cost``: how much later poses are with all streams on.
+
+The demo runs in the window, off-screen, with all panels in sight; another process reads every
+stream. Streams are switched on and off in turns, so that other load on the computer meets both.
+Reported are sample to pose (from the arrival of a packet to its estimate), median and 99 %, without
+and with streams, and the quotients: the median over the pairs of turns, and their range. The
+program writes them as JSON.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+import numpy as np
+from PySide6.QtWidgets import QApplication
+
+from app.engines.demo_camera import DemoChoice, start_camera
+from app.platform.process_tuning import tune_process
+from app.tools.soak import SIZE, START_TIMEOUT
+from tracker.base.files import check_target, write_whole
+from tracker.base.terminal import add_force
+from tracker.messages import Tracking
+
+if TYPE_CHECKING:
+    from app.window.main_window import MainWindow
+
+NOT_HERE = ("opengloves",)  # a pipe of Windows
+SETTLE_S = 2.0  # after switching, before a turn counts
+LOOK_S = 4.0  # the latencies that the engine stores are those of so many seconds
+MEDIAN, HIGH = "latency_imu_ms", "latency_imu_p99_ms"
+
+
+@dataclass
+class Turn:
+    """ms, each the median over the turn; ``sent`` by stream."""
+
+    median_ms: float
+    p99_ms: float
+    sent: dict[str, int] = field(default_factory=dict)
+
+
+@dataclass
+class Cost:
+    """``off`` and ``on`` alternate. Quotients of on and off, and their least and largest."""
+
+    streams: list[str]
+    off: list[Turn] = field(default_factory=list)
+    on: list[Turn] = field(default_factory=list)
+    received: dict[str, int] = field(default_factory=dict)
+    loads: list[float] = field(default_factory=list)
+    median_ratio: float = float("nan")
+    p99_ratio: float = float("nan")
+    p99_ratio_range: tuple[float, float] = (float("nan"), float("nan"))
+
+    def conclude(self) -> None:
+        """Compute the quotients."""
+        pairs = list(zip(self.off, self.on, strict=True))
+        medians = [on.median_ms / off.median_ms for off, on in pairs]
+        highs = [on.p99_ms / off.p99_ms for off, on in pairs]
+        self.median_ratio = round(float(np.median(medians)), 3)
+        self.p99_ratio = round(float(np.median(highs)), 3)
+        self.p99_ratio_range = (round(min(highs), 3), round(max(highs), 3))
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(prog="app.tools.stream_cost", description=__doc__)
+    parser.add_argument("--turns", type=int, default=6, help="pairs of turns (default: 6)")
+    parser.add_argument("--seconds", type=float, default=12.0, help="length of a turn, s")
+    parser.add_argument("--fps", type=float, default=30.0, help="frame rate, Hz (default: 30)")
+    parser.add_argument("--streams", default="", help="names with commas (default: all)")
+    parser.add_argument("--json", type=Path, default=None, help="file for the results")
+    add_force(parser)
+    args = parser.parse_args(argv)
+    if args.json is not None:
+        check_target(args.json, args.force)
+    tune_process()
+    app = QApplication.instance() or QApplication(["glovetrack"])
+    assert isinstance(app, QApplication)
+    with tempfile.TemporaryDirectory() as folder:
+        names = [name for name in args.streams.split(",") if name]
+        cost = measure(args.turns, args.seconds, args.fps, names, Path(folder))
+    text = json.dumps(asdict(cost), indent=2)
+    print(text)
+    if args.json is not None:
+        write_whole(args.json, text + "\n", args.force)
+    return 0
+
+
+def measure(turns: int, seconds: float, fps: float, names: Sequence[str], folder: Path) -> Cost:
+    """Opens the demo in the window; ``names``: the streams, all of them if it is empty."""
+    choice = DemoChoice(fps)
+    camera = start_camera(choice=choice)
+    from app.storage.settings import SettingsStore
+    from app.window.main_window import MainWindow
+    from app.window.pauses import keep_pauses_short
+    from app.window.sources import demo_factory
+
+    store = SettingsStore(folder / "window.json")
+    store.update(job="all", sessions_folder=str(folder))
+    window = MainWindow(store)
+    window.resize(*SIZE)
+    keep_pauses_short(window.host)
+    window.show()
+    known = [name for name in window.outputs.kinds if name not in NOT_HERE]
+    try:
+        window.host.open("demo", demo_factory(choice, camera=camera))
+        return _alternate(window, Cost(list(names) or known), turns, seconds)
+    finally:
+        window.close()
+
+
+def _alternate(window: MainWindow, cost: Cost, turns: int, seconds: float) -> Cost:
+    from app.window.headless_report import wait_until
+
+    if not wait_until(lambda: _tracked(window), START_TIMEOUT):
+        raise SystemExit("The demo did not find the hand.")
+    readers = _start_readers(window, cost.streams)
+    wait_until(lambda: False, SETTLE_S)
+    for k in range(turns):
+        for on in (False, True) if k % 2 == 0 else (True, False):
+            _switch(window, cost.streams, on)
+            wait_until(lambda: False, SETTLE_S)
+            (cost.on if on else cost.off).append(_turn(window, cost.streams, seconds))
+            cost.loads.append(round(os.getloadavg()[0], 1))
+    said, _ = readers.communicate("")
+    cost.received = json.loads(said)
+    _switch(window, cost.streams, False)
+    cost.conclude()
+    return cost
+
+
+def _tracked(window: MainWindow) -> bool:
+    view = window.host.snapshot()
+    estimate = view.estimate if view is not None else None
+    return estimate is not None and estimate.tracking == Tracking.TRACKING
+
+
+def _start_readers(window: MainWindow, names: Sequence[str]) -> subprocess.Popen[str]:
+    ports = [f"{name}={window.outputs.port(name) or 0}" for name in names]
+    command = [sys.executable, "-m", "app.tools.stream_readers", *ports]
+    return subprocess.Popen(
+        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
+    )
+
+
+def _switch(window: MainWindow, names: Sequence[str], on: bool) -> None:
+    """Switch all streams, and wait until they are open or closed. Raises SystemExit."""
+    from app.window.headless_report import wait_until
+
+    outputs = window.outputs
+    for name in names:
+        outputs.switch(name, on)
+    if not wait_until(lambda: all((outputs.counts(n) is not None) == on for n in names), 30.0):
+        raise SystemExit(f"The streams could not be switched: {outputs.problems}.")
+
+
+def _turn(window: MainWindow, names: Sequence[str], seconds: float) -> Turn:
+    from app.window.headless_report import wait_until
+
+    looks: list[tuple[float, float]] = []
+    for _ in range(max(round(seconds / LOOK_S), 1)):
+        wait_until(lambda: False, LOOK_S)
+        setup = window.host.setup
+        assert setup is not None
+        values = setup.tracked.status().values
+        looks.append((values[MEDIAN], values[HIGH]))
+    median, high = np.median(looks, axis=0)
+    counts = {name: window.outputs.counts(name) for name in names}
+    sent = {name: found.sent for name, found in counts.items() if found is not None}
+    return Turn(round(float(median), 3), round(float(high), 3), sent)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

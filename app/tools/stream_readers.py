@@ -1,0 +1,97 @@
+"""Reads all live streams of this computer, as the programs do for which they are meant.
+
+``python -m app.tools.stream_readers udp=9750 websocket=9751 …`` reads until its input ends, in a
+process of its own, and prints how many messages it received of each as JSON.
+"""
+
+from __future__ import annotations
+
+import json
+import socket
+import sys
+import threading
+from collections import Counter
+from collections.abc import Callable, Sequence
+
+LOOPBACK = "127.0.0.1"
+AGAIN = 0.2  # s between attempts to connect
+DATAGRAMS = ("udp", "vmc", "vmt", "hts", "mediapipe")
+FOXGLOVE = "foxglove.sdk.v1"
+Count = Callable[[], None]
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    wanted = [word.split("=") for word in (sys.argv[1:] if argv is None else argv)]
+    counts: Counter[str] = Counter()
+    ended = threading.Event()
+    for name, port in wanted:
+        read = _reader_of(name)
+        if read is not None:
+            args = (read, int(port), lambda name=name: counts.update([name]), ended)
+            threading.Thread(target=_again, args=args, daemon=True).start()
+    sys.stdin.read()
+    ended.set()
+    print(json.dumps(counts))
+    return 0
+
+
+def _reader_of(name: str) -> Callable[[int, Count], None] | None:
+    if name in DATAGRAMS:
+        return _read_datagrams
+    return {"websocket": _read_websocket, "foxglove": _read_foxglove, "lsl": _read_lsl}.get(name)
+
+
+def _again(
+    read: Callable[[int, Count], None], port: int, count: Count, ended: threading.Event
+) -> None:
+    """Connects again whenever the stream is closed."""
+    while not ended.is_set():
+        try:
+            read(port, count)
+        except Exception:  # noqa: BLE001 - the stream is off, or was closed
+            ended.wait(AGAIN)
+
+
+def _read_datagrams(port: int, count: Count) -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sock:
+        sock.bind((LOOPBACK, port))
+        while sock.recv(65536):
+            count()
+
+
+def _read_websocket(port: int, count: Count) -> None:
+    from websockets.sync.client import connect
+
+    with connect(f"ws://{LOOPBACK}:{port}/") as connection:
+        for _ in connection:
+            count()
+
+
+def _read_foxglove(port: int, count: Count) -> None:
+    from websockets.sync.client import connect
+    from websockets.typing import Subprotocol
+
+    with connect(f"ws://{LOOPBACK}:{port}/", subprotocols=[Subprotocol(FOXGLOVE)]) as connection:
+        for message in connection:
+            if isinstance(message, bytes):
+                count()
+                continue
+            said = json.loads(message)
+            if said["op"] == "advertise":
+                topics = [{"id": c["id"], "channelId": c["id"]} for c in said["channels"]]
+                connection.send(json.dumps({"op": "subscribe", "subscriptions": topics}))
+
+
+def _read_lsl(_port: int, count: Count) -> None:
+    import pylsl
+
+    found = pylsl.resolve_byprop("name", "Glovetrack right", 1, 1.0)
+    inlet = pylsl.StreamInlet(found[0], recover=False)
+    while True:
+        samples, _ = inlet.pull_chunk(timeout=1.0)
+        for _ in samples or ():
+            count()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
