@@ -88,11 +88,14 @@ class VmcPublisher:
             message("/VMC/Ext/T", float(e.t)),
             *self._hand_messages(e),
         ]
-        for i, bone in self._bones:
-            state = self._state(e, i)
+        states = [self._state(e, i) for i, _ in self._bones]
+        known = [i for (i, _), s in zip(self._bones, states, strict=True) if s != Validity.LOST]
+        rotations = self._avatar.rotations(known, e.angles).tolist() if known else []
+        turned = dict(zip(known, rotations, strict=True))
+        for (i, bone), state in zip(self._bones, states, strict=True):
             out.append(message(STATE, bone, STATE_WORDS[state]))
-            if state != Validity.LOST:
-                pose = _pose(self._avatar.offsets[i], self._avatar.rotation(i, e.angles))
+            if i in turned:
+                pose = [*self._avatar.offsets[i].tolist(), *turned[i]]
                 out.append(message("/VMC/Ext/Bone/Pos", bone, *pose))
         return bundle([*out, *self._gesture_messages(e)])
 

@@ -11,7 +11,10 @@ The T-pose of a hand is its hand file's rest: all joint angles zero.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from tracker.geometry import so3
 from tracker.hand.model import HandModel
@@ -44,10 +47,18 @@ class AvatarHand:
             if hand.parent[i] >= 0:
                 self.offsets[i] = self._axes[hand.parent[i]] @ segment.origin
 
-    def rotation(self, i: int, angles: Array) -> Array:
-        """Local rotation (4,) xyzw of segment ``i``'s bone from joint angles (J,) rad."""
-        A = self._axes[i]
-        return so3.quat_from_matrix(A @ self._hand.joint_rotation(i, angles) @ A.T)
+    def rotations(self, bones: Sequence[int], angles: Array) -> Array:
+        """Local rotations (n, 4) xyzw of the segments ``bones`` from joint angles (J,) rad."""
+        J = np.array([self._hand.joint_rotation(i, angles) for i in bones])
+        A = self._axes[list(bones)]
+        return quaternions(A @ J @ np.swapaxes(A, 1, 2))
+
+
+def quaternions(R: Array) -> Array:
+    """(n, 4) xyzw with w ≥ 0 of rotation matrices (n, 3, 3), quicker for many at once than
+    `tracker.geometry.so3`."""
+    q = Rotation.from_matrix(R).as_quat(canonical=True)
+    return np.asarray(q)
 
 
 def unity_pose(p_G: Array, q_GB: Array) -> tuple[Array, Array]:

@@ -8,10 +8,12 @@ Sources: github.com/ValveSoftware/openvr/wiki/Hand-Skeleton and the reference po
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from extensions.osc.vmc_pose import quaternions
 from tracker.geometry import so3
 from tracker.hand.names import CHAINS
 from tracker.hand.openxr import JOINTS, WRIST, OpenXrHand
@@ -36,22 +38,29 @@ MIRROR_Z = np.diag([1.0, 1.0, -1.0])
 
 @dataclass(frozen=True, eq=False)
 class Pose:
-    """A rigid motion: R (..., 3, 3) and p (..., 3) m."""
+    """A rigid motion: R (3, 3) and p (3,) m."""
 
     R: Array
     p: Array
 
     def __matmul__(self, other: Pose) -> Pose:
-        return Pose(self.R @ other.R, self.p + np.einsum("...ij,...j->...i", self.R, other.p))
+        return Pose(self.R @ other.R, self.p + self.R @ other.p)
 
     @property
     def inverse(self) -> Pose:
-        R = np.swapaxes(self.R, -1, -2)
-        return Pose(R, -np.einsum("...ij,...j->...i", R, self.p))
+        return Pose(self.R.T, -(self.R.T @ self.p))
 
     def in_unity(self) -> tuple[Array, Array]:
         """Position and quaternion (4,) xyzw in Unity's axes, of a pose in OpenVR's."""
-        return MIRROR_Z @ self.p, so3.quat_from_matrix(MIRROR_Z @ self.R @ MIRROR_Z)
+        (row,) = in_unity([self])
+        return row[:3], row[3:]
+
+
+def in_unity(poses: Sequence[Pose]) -> Array:
+    """(n, 7) positions and quaternions xyzw in Unity's axes, of poses in OpenVR's."""
+    R = np.array([pose.R for pose in poses])
+    p = np.array([pose.p for pose in poses])
+    return np.column_stack([p @ MIRROR_Z, quaternions(MIRROR_Z @ R @ MIRROR_Z)])
 
 
 def _held(side: str) -> Pose:

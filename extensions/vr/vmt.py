@@ -17,7 +17,7 @@ from extensions.osc import decode
 from extensions.osc.decode import OscError
 from extensions.osc.encode import bundle, message
 from extensions.vr.buttons import ButtonGestures, ControlReader, Controls
-from extensions.vr.skeleton import Pose, Skeleton
+from extensions.vr.skeleton import Pose, Skeleton, in_unity
 from tracker.base.notices import Notice, notice
 from tracker.gestures.recogniser import GestureRecogniser
 from tracker.messages import Estimate
@@ -89,8 +89,10 @@ class VmtPublisher:
         if device is not None:
             mode = MODE[self._names.side]
             out.append(message("/VMT/Room/Unity", self._device, mode, NOW, *_numbers(device)))
-            for bone, pose in self._skeleton.bones(joints, device).items():
-                out.append(message("/VMT/Skeleton/Unity", self._device, bone, *_numbers(pose)))
+            bones = self._skeleton.bones(joints, device)
+            poses = in_unity(list(bones.values())).tolist()
+            for bone, pose in zip(bones, poses, strict=True):
+                out.append(message("/VMT/Skeleton/Unity", self._device, bone, *pose))
             out.append(message("/VMT/Skeleton/Apply", self._device, NOW))
         return bundle([*out, *self._inputs(self._controls.read(e))])
 

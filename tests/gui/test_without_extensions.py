@@ -16,6 +16,7 @@ PARTS = {
     "movement": {"recordings report"},
     "openxr": {"panel openxr"},
     "robot": {"panel robot"},
+    "room": {"command room_tracker"},
     "touch": {"command touch_test"},
 }
 """What the window loses with each folder; nothing with the others."""

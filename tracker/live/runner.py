@@ -250,6 +250,11 @@ class HandOfTracker:
         a function that ends it."""
         return self._hand.subscribe(subscriber)
 
+    @property
+    def right_of_way(self) -> RightOfWay:
+        """The priority of tracking over other work in Python."""
+        return self._loop.priority
+
     def latest_estimate(self) -> Estimate | None:
         """Returns the latest estimate; None before the first packet."""
         return self._hand.estimate

@@ -100,11 +100,14 @@ def attach(
     """Send the tracker's estimates to ``publishers``, at most ``rate_hz`` times a second.
 
     At `MAX_RATE_HZ` a tracker that publishes its estimates has all of them sent. ``report``
-    receives a notice when an output fails or recovers.
+    receives a notice when an output fails or recovers. Outputs wait while a tracker with a
+    ``right_of_way`` processes a message.
     """
     if not 0 < rate_hz <= MAX_RATE_HZ:
         raise ValueError(f"the rate is between 0 and {MAX_RATE_HZ:g} Hz, not {rate_hz:g}")
-    streams = Streams(publishers, report)
+    priority = getattr(tracker, "right_of_way", None)
+    give: Callable[[], None] = priority.give if priority is not None else lambda: None
+    streams = Streams(publishers, report, give)
     if not isinstance(tracker, PublishesEstimates):
         return Attachment(streams, _Poll(tracker, streams.offer, 1.0 / rate_hz).stop)
     offer = streams.offer if rate_hz == MAX_RATE_HZ else _Thinned(streams.offer, 1.0 / rate_hz)

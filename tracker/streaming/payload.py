@@ -35,12 +35,14 @@ import json
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tracker.gestures.recogniser import GestureRecogniser
 from tracker.hand.openxr import JOINTS, OpenXrHand, PointMotion, openxr_motion, to_openxr
 from tracker.messages import Array, Estimate, Validity
 from tracker.streaming.publisher import STATE_WORDS, Names, StreamError
 
+BoolArray = NDArray[np.bool_]
 SCHEMAS = FIRST, LATEST = 1, 2
 DECIMALS = 6  # µm and µrad: below every error of a hand tracker, and half the bytes of a double
 
@@ -53,7 +55,6 @@ def payload(
 ) -> dict[str, Any]:
     """The message as JSON-ready objects; ``gestures`` has been fed with the estimate."""
     first = schema == FIRST
-    angle = _angle if first else _moving_angle
     joints = openxr_of(estimate, names) if names.openxr else None
     return {
         "schema": schema,
@@ -63,7 +64,7 @@ def payload(
         "tracking": estimate.tracking.name.lower(),
         **_points(estimate, names, joints),
         **({} if first else {"velocity": _velocities(estimate, names, joints)}),
-        "angles": {n: angle(estimate, i) for i, n in enumerate(names.angles)},
+        "angles": _angles(estimate, names, schema),
         **({} if gestures is None else {"gestures": _gestures(gestures)}),
     }
 
@@ -112,8 +113,8 @@ def openxr_of(estimate: Estimate, names: Names) -> OpenXrHand:
 
 def _points(estimate: Estimate, names: Names, joints: OpenXrHand | None) -> dict[str, Any]:
     if joints is not None:
-        return {"joints": {n: _joint(joints, i) for i, n in enumerate(JOINTS)}}
-    return {"keypoints": {n: _keypoint(estimate, i) for i, n in enumerate(names.keypoints)}}
+        return {"joints": _joints(joints)}
+    return {"keypoints": _keypoints(estimate, names)}
 
 
 def moving_points(
@@ -136,67 +137,89 @@ def _velocities(estimate: Estimate, names: Names, joints: OpenXrHand | None) -> 
     """Of each keypoint or joint; null where it is lost or the engine gives none."""
     moving = moving_points(estimate, names, joints)
     listed = names.keypoints if joints is None else JOINTS
-    return {n: _velocity(moving, i) for i, n in enumerate(listed)}
-
-
-def _velocity(motion: PointMotion | None, i: int) -> dict[str, Any]:
-    if motion is None:
-        return dict.fromkeys(("linear", "angular", "sd", "angular_sd"))
+    if moving is None:
+        keys = ("linear", "angular", "sd", "angular_sd")
+        return {n: dict.fromkeys(keys) for n in listed}
+    columns = (
+        _vectors(moving.linear),
+        _vectors(moving.angular),
+        _scalars(moving.linear_sd),
+        _scalars(moving.angular_sd),
+    )
     return {
-        "linear": _numbers(motion.linear[i], False),
-        "angular": _numbers(motion.angular[i], False),
-        "sd": _number(float(motion.linear_sd[i]), False),
-        "angular_sd": _number(float(motion.angular_sd[i]), False),
+        name: {"linear": linear, "angular": angular, "sd": sd, "angular_sd": angular_sd}
+        for name, linear, angular, sd, angular_sd in zip(listed, *columns, strict=True)
     }
 
 
-def _moving_angle(e: Estimate, i: int) -> dict[str, Any]:
-    lost, motion = e.angle_state[i] == Validity.LOST, e.motion
-    if motion is None:
-        return {**_angle(e, i), "sd": None, "rate": None, "rate_sd": None}
+def _angles(e: Estimate, names: Names, schema: int) -> dict[str, Any]:
+    """Of each joint; from the second schema on with its rate and standard deviations."""
+    lost: BoolArray = e.angle_state == Validity.LOST
+    states = [STATE_WORDS[s] for s in e.angle_state.tolist()]
+    values = _scalars(e.angles, lost)
+    if schema == FIRST:
+        rows = zip(names.angles, states, values, strict=True)
+        return {name: {"state": state, "value": value} for name, state, value in rows}
+    m = e.motion
+    none: list[float | None] = [None] * len(states)
+    sds = none if m is None else _scalars(m.angle_sd, lost)
+    rates = none if m is None else _scalars(m.angle_rate, lost)
+    rate_sds = none if m is None else _scalars(m.angle_rate_sd, lost)
+    columns = zip(names.angles, states, values, sds, rates, rate_sds, strict=True)
     return {
-        **_angle(e, i),
-        "sd": _number(float(motion.angle_sd[i]), lost),
-        "rate": _number(float(motion.angle_rate[i]), lost),
-        "rate_sd": _number(float(motion.angle_rate_sd[i]), lost),
+        name: {"state": state, "value": value, "sd": sd, "rate": rate, "rate_sd": rate_sd}
+        for name, state, value, sd, rate, rate_sd in columns
     }
 
 
-def _joint(hand: OpenXrHand, i: int) -> dict[str, Any]:
-    state = Validity(int(hand.state[i]))
-    lost = state == Validity.LOST
+def _joints(hand: OpenXrHand) -> dict[str, Any]:
+    """OpenXR's joints."""
+    lost: BoolArray = hand.state == Validity.LOST
+    columns = (
+        [STATE_WORDS[s] for s in hand.state.tolist()],
+        _vectors(hand.position, lost),
+        _vectors(hand.orientation, lost),
+        _scalars(hand.radius, lost),
+    )
     return {
-        "state": STATE_WORDS[state],
-        "position": _numbers(hand.position[i], lost),
-        "orientation_xyzw": _numbers(hand.orientation[i], lost),
-        "radius": _number(float(hand.radius[i]), lost),
+        name: {"state": state, "position": p, "orientation_xyzw": q, "radius": radius}
+        for name, state, p, q, radius in zip(JOINTS, *columns, strict=True)
     }
 
 
-def _keypoint(e: Estimate, i: int) -> dict[str, Any]:
-    state = Validity(int(e.keypoint_state[i]))
-    lost = state == Validity.LOST
+def _keypoints(e: Estimate, names: Names) -> dict[str, Any]:
+    lost: BoolArray = e.keypoint_state == Validity.LOST
+    columns = (
+        [STATE_WORDS[s] for s in e.keypoint_state.tolist()],
+        _vectors(e.keypoints, lost),
+        _vectors(e.keypoint_q, lost),
+        _scalars(e.keypoint_sd, lost),
+    )
     return {
-        "state": STATE_WORDS[state],
-        "position": _numbers(e.keypoints[i], lost),
-        "orientation_xyzw": _numbers(e.keypoint_q[i], lost),
-        "sd": _number(float(e.keypoint_sd[i]), lost),
+        name: {"state": state, "position": p, "orientation_xyzw": q, "sd": sd}
+        for name, state, p, q, sd in zip(names.keypoints, *columns, strict=True)
     }
 
 
-def _angle(e: Estimate, i: int) -> dict[str, Any]:
-    state = Validity(int(e.angle_state[i]))
-    return {
-        "state": STATE_WORDS[state],
-        "value": _number(float(e.angles[i]), state == Validity.LOST),
-    }
+def _scalars(values: Array, lost: BoolArray | None = None) -> list[float | None]:
+    """(n,) as numbers of a message; None where lost or not finite."""
+    known: BoolArray = np.isfinite(values)
+    known = known if lost is None else known & ~lost
+    numbers = np.round(values, DECIMALS).tolist()
+    if known.all():
+        return list(numbers)
+    return [x if k else None for x, k in zip(numbers, known.tolist(), strict=True)]
+
+
+def _vectors(values: Array, lost: BoolArray | None = None) -> list[list[float] | None]:
+    """(n, k) as lists of a message; None where lost or not finite."""
+    known: BoolArray = np.asarray(np.isfinite(values).all(axis=1))
+    known = known if lost is None else known & ~lost
+    numbers = np.round(values, DECIMALS).tolist()
+    if known.all():
+        return list(numbers)
+    return [v if k else None for v, k in zip(numbers, known.tolist(), strict=True)]
 
 
 def _number(value: float, lost: bool) -> float | None:
     return None if lost or not np.isfinite(value) else round(value, DECIMALS)
-
-
-def _numbers(values: Array, lost: bool) -> list[float] | None:
-    if lost or not np.isfinite(values).all():
-        return None
-    return [round(v, DECIMALS) for v in values.tolist()]

@@ -2,6 +2,7 @@
 
 Messages are composed and sent in the output's own thread. An output that cannot keep up discards
 the oldest estimates, which are counted. The engine's threads only put estimates into the queues.
+Outputs compose their messages one after another, and give way to the engine.
 """
 
 from __future__ import annotations
@@ -10,7 +11,8 @@ import logging
 import threading
 import time
 from collections import deque
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 
 from tracker.base.channels import Backlog, Closed
@@ -22,6 +24,8 @@ _log = logging.getLogger(__name__)
 
 BACKLOG = 50  # estimates: half a second, after which a live client is better off without them
 RATE_WINDOW = 3.0  # s over which rates are counted
+PATIENCE = 0.02  # s that an output waits for its turn
+HANGS = 1.0  # s for which no output waits for one that did not end its turn
 END_WAIT = 1.0  # s that `close` gives an output to finish what it is sending
 
 
@@ -82,9 +86,13 @@ class Streams:
     """
 
     def __init__(
-        self, publishers: Sequence[Publisher], report: Callable[[Notice], None] = lambda _: None
+        self,
+        publishers: Sequence[Publisher],
+        report: Callable[[Notice], None] = lambda _: None,
+        give: Callable[[], None] = lambda: None,
     ) -> None:
-        self._outputs = [_Output(p, report) for p in publishers]
+        """``give`` waits while the engine processes a message, see `tracker.live.right_of_way`."""
+        self._outputs = [_Output(p, report, give) for p in publishers]
         self._offered = 0
 
     def offer(self, estimate: Estimate) -> None:
@@ -104,11 +112,43 @@ class Streams:
             output.thread.join(END_WAIT)
 
 
+class _Turn:
+    """Held by the output that composes a message: all threads share Python's lock, and the engine,
+    which needs it several times for a packet, would wait for each output that computes meanwhile.
+
+    An output that hangs is waited for once in `HANGS` s."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._impatient_until = float("-inf")
+
+    @contextmanager
+    def taken(self) -> Iterator[None]:
+        now = time.monotonic()
+        patience = PATIENCE if now >= self._impatient_until else 0.0
+        alone = self._lock.acquire(timeout=patience)
+        if not alone and patience:
+            self._impatient_until = now + HANGS
+        try:
+            yield
+        finally:
+            if alone:
+                self._lock.release()
+
+
+_TURN = _Turn()
+
+
 class _Output:
     """One publisher, its queue and its thread."""
 
-    def __init__(self, publisher: Publisher, report: Callable[[Notice], None]) -> None:
-        self._publisher, self._report = publisher, report
+    def __init__(
+        self,
+        publisher: Publisher,
+        report: Callable[[Notice], None],
+        give: Callable[[], None],
+    ) -> None:
+        self._publisher, self._report, self._give = publisher, report, give
         self.queue: Backlog[tuple[int, Estimate]] = Backlog(BACKLOG)
         self._times: deque[float] = deque()  # of what was sent in the last `RATE_WINDOW`
         self._began = time.monotonic()
@@ -144,9 +184,15 @@ class _Output:
             while True:
                 numbered = self.queue.get(None)
                 if numbered is not None:
-                    self._send(replace(numbered[1], seq=numbered[0]))
+                    self._send_in_turn(replace(numbered[1], seq=numbered[0]))
         except Closed:
             self._publisher.close()
+
+    def _send_in_turn(self, estimate: Estimate) -> None:
+        """Not beside other outputs, unless one of them hangs, nor beside the engine."""
+        with _TURN.taken():
+            self._give()
+            self._send(estimate)
 
     def _send(self, estimate: Estimate) -> None:
         try:

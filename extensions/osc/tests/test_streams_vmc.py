@@ -44,7 +44,7 @@ def compose(hand: HandModel, angles: np.ndarray) -> np.ndarray:
     for i in range(1, len(hand.segments)):
         a = hand.parent[i]
         p.append(p[a] + R[a] @ avatar.offsets[i])
-        R.append(R[a] @ Rotation.from_quat(avatar.rotation(i, angles)).as_matrix())
+        R.append(R[a] @ Rotation.from_quat(avatar.rotations([i], angles)[0]).as_matrix())
     return np.array(p)
 
 
@@ -61,7 +61,7 @@ def test_the_rest_pose_is_the_t_pose(side: str) -> None:
     hand = shipped(side)
     avatar, angles = AvatarHand(hand), np.zeros(len(hand.joint_names))
     for i in range(len(hand.segments)):
-        assert_allclose(avatar.rotation(i, angles), [0, 0, 0, 1], atol=1e-7)
+        assert_allclose(avatar.rotations([i], angles)[0], [0, 0, 0, 1], atol=1e-7)
 
 
 @pytest.mark.parametrize(("side", "sign"), [("right", -1), ("left", 1)])
@@ -70,7 +70,7 @@ def test_a_curled_finger_turns_about_unitys_z(side: str, sign: int) -> None:
     hand = shipped(side)
     angles = np.zeros(len(hand.joint_names))
     angles[hand.angle_index["index_pip_flexion"]] = np.pi / 2
-    q = AvatarHand(hand).rotation(hand.index["index_intermediate"], angles)
+    q = AvatarHand(hand).rotations([hand.index["index_intermediate"]], angles)[0]
     assert_allclose(q, [0, 0, sign * np.sqrt(0.5), np.sqrt(0.5)], atol=1e-9)
 
 
@@ -115,7 +115,7 @@ def test_every_bone_arrives_under_unitys_name(hand, make_estimate) -> None:
     assert len(poses) == 15
     i = hand.index["thumb_metacarpal"]
     avatar = AvatarHand(hand)
-    expected = [*avatar.offsets[i], *avatar.rotation(i, e.angles)]
+    expected = [*avatar.offsets[i], *avatar.rotations([i], e.angles)[0]]
     assert_allclose(poses["RightThumbProximal"], expected, atol=1e-6)  # Unity's shifted thumb
     assert {"RightThumbIntermediate", "RightThumbDistal", "RightLittleDistal"} <= poses.keys()
     p, q = unity_pose(e.keypoints[0], e.keypoint_q[0])
