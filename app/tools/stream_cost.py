@@ -12,6 +12,7 @@ from __future__ import annotations
 import argparse
 import json
 import os
+import socket
 import subprocess
 import sys
 import tempfile
@@ -125,6 +126,9 @@ def _alternate(window: MainWindow, cost: Cost, turns: int, seconds: float) -> Co
 
     if not wait_until(lambda: _tracked(window), START_TIMEOUT):
         raise SystemExit("The demo did not find the hand.")
+    for name in cost.streams:
+        if window.outputs.kinds[name].has("port"):
+            window.outputs.set_port(name, _free_port())
     readers = _start_readers(window, cost.streams)
     wait_until(lambda: False, SETTLE_S)
     for k in range(turns):
@@ -144,6 +148,14 @@ def _tracked(window: MainWindow) -> bool:
     view = window.host.snapshot()
     estimate = view.estimate if view is not None else None
     return estimate is not None and estimate.tracking == Tracking.TRACKING
+
+
+def _free_port() -> int:
+    """One that no other program uses, by TCP."""
+    with socket.socket() as sock:
+        sock.bind(("127.0.0.1", 0))
+        port: int = sock.getsockname()[1]
+        return port
 
 
 def _start_readers(window: MainWindow, names: Sequence[str]) -> subprocess.Popen[str]:

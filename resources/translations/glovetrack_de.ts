@@ -8940,6 +8940,36 @@ change {}: {}</source>
       <translation>Name des Streams der linken Hand; any: jeder Stream</translation>
     </message>
     <message>
+      <location filename="glovetrack.remote" />
+      <source>Wrist pose (VRPN)</source>
+      <translation>Lage des Handgelenks (VRPN)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>address of the computer that runs the VRPN server</source>
+      <translation>Adresse des Computers, auf dem der VRPN-Server läuft</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>port of the server</source>
+      <translation>Port des Servers</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>axis of the server that points up</source>
+      <translation>Achse des Servers, die nach oben zeigt</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>name of the right hand's tracker; any: every tracker</source>
+      <translation>Name des Trackers der rechten Hand; any: jeder Tracker</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>name of the left hand's tracker; any: every tracker</source>
+      <translation>Name des Trackers der linken Hand; any: jeder Tracker</translation>
+    </message>
+    <message>
       <location filename="glovetrack.formats" />
       <source>Table for spreadsheets and everything else (CSV)</source>
       <translation>Tabelle für Tabellenkalkulation und alles andere (CSV)</translation>
@@ -10551,8 +10581,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>{path} is not a stereo calibration: the file of a ZED ends in .conf, that of OpenCV in .yml.</source>
-      <translation>{path} ist keine Stereo-Kalibrierung: die Datei einer ZED endet auf .conf, die von OpenCV auf .yml.</translation>
+      <source>{path} is not a stereo calibration: the file of a ZED ends in .conf, those of OpenCV and Kalibr in .yml or .yaml, and those of Anipose, FreeMoCap and Caliscope in .toml.</source>
+      <translation>{path} ist keine Stereokalibrierung: Die Datei einer ZED endet auf .conf, die von OpenCV und Kalibr auf .yml oder .yaml, die von Anipose, FreeMoCap und Caliscope auf .toml.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -10598,6 +10628,11 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>{path}: the {side:word} camera has {count} distortion coefficients; only k1 k2 p1 p2 k3 are supported.</source>
       <translation>{path}: Die Kamera {side:word} hat {count} Verzeichnungskoeffizienten; unterstützt werden nur k1 k2 p1 p2 k3.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path}: the lens model of {camera} is {model}; only pinhole lenses with k1 k2 p1 p2 k3 are supported.</source>
+      <translation>{path}: Das Objektivmodell von {camera} ist {model}; unterstützt werden nur Lochkameras mit k1 k2 p1 p2 k3.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -11808,6 +11843,96 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>The axis {axis} cannot point up. Choose y or z.</source>
       <translation>Die Achse {axis} kann nicht nach oben zeigen. Wählen Sie y oder z.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The protocol has no participant {name}. It has: {known:list}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The folder {folder} contains a study by another protocol. Continue with the protocol in {stored}, or choose another folder.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{folder} contains no study. Start one with: glovetrack study run.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The progress file {path} is damaged: {why}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Another program is running the trials of {participant} in {folder}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The study in {folder} has no accepted trial yet.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No accepted trial has a reference. Add motion-capture recordings with glovetrack import-reference; only simulated trials contain their truth.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Unknown variant {name}. Available: {known:list}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>This requires the extension {name}, which is not installed.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The recording was interrupted before its end.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The recording cannot be read: {why}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The recording lasts {duration_s:.1f} s; the protocol requires {least_s:.1f} s.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The hand was tracked for {found_percent:.0f} % of the time; the protocol requires {least_percent:.0f} %.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Keypoints were measured for {found_percent:.0f} % of the time; the protocol requires {least_percent:.0f} %.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{found_percent:.1f} % of the packets were lost; the protocol allows {most_percent:.1f} %.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{found_hz:.0f} packets per second arrived; the protocol requires {least_hz:.0f}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{found_percent:.0f} % of the images were not searched; the protocol allows {most_percent:.0f} %.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{found_hz:.1f} images per second arrived; the protocol requires {least_hz:.1f}.</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <location filename="glovetrack.notices" />

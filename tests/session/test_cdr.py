@@ -18,7 +18,9 @@ BLOBS = Blobs(
 CLOTH = Cloth(80, 45, np.array([3, 4, 5, 90, 200, 201]), RNG.integers(-(2**63), 2**63 - 1, 6))
 
 PACKED = {
-    sensors.IMU: sensors.pack_imu(sensors.ImuMessage(NS, "dorsum", RNG.normal(size=3), np.ones(3))),
+    sensors.IMU: sensors.pack_imu(
+        sensors.ImuMessage(NS, "dorsum", RNG.normal(size=3), np.ones(3), 0.25, 4.0)
+    ),
     sensors.IMAGE: sensors.pack_image(
         sensors.ImageMessage(NS, "camera_left", "jpeg", b"\xff\xd8abc")
     ),
@@ -88,6 +90,8 @@ def test_fields_land_where_ros_expects_them() -> None:
     store = typestore()
     imu = store.deserialize_cdr(PACKED[sensors.IMU], sensors.IMU)
     assert imu.orientation_covariance[0] == -1
+    np.testing.assert_array_equal(imu.angular_velocity_covariance.reshape(3, 3), 0.25 * np.eye(3))
+    np.testing.assert_array_equal(imu.linear_acceleration_covariance.reshape(3, 3), 4 * np.eye(3))
     assert imu.linear_acceleration.y == 1.0
     assert imu.header.stamp.nanosec == 123_456_789
     info = store.deserialize_cdr(PACKED[sensors.CAMERA_INFO], sensors.CAMERA_INFO)

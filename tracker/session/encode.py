@@ -13,6 +13,7 @@ import numpy as np
 from tracker.base.clock import nanoseconds
 from tracker.base.notices import to_json
 from tracker.geometry import so3
+from tracker.glove.model import ImuNoise
 from tracker.messages import (
     Array,
     BlobFrame,
@@ -94,6 +95,7 @@ class Encoder:
         self._coding, self._tracker = images, status
         self._arrivals = arrivals or Arrivals()
         self._info, self._side, self._wall = info, info.side, info.anchor.wall
+        self._imu_variances = [imu_variances(imu.noise) for imu in info.glove.imus]
         self._segments = [f"{info.side}_{s}" for s in info.hand.segment_names]
         self._robots = RobotEncoder(self._wall)
         self._states: object = None
@@ -132,7 +134,8 @@ class Encoder:
         sequence = (m.seq + 1) % 2**32
         for i, name in enumerate(self._info.glove.imu_names):
             if m.valid[i]:
-                data = sensors.pack_imu(sensors.ImuMessage(stamp, name, m.gyro[i], m.accel[i]))
+                measured = m.gyro[i], m.accel[i], *self._imu_variances[i]
+                data = sensors.pack_imu(sensors.ImuMessage(stamp, name, *measured))
                 yield Out(topics.imu(self._side, name), sensors.IMU, log, stamp, data, sequence)
         known = math.isfinite(m.t_device)
         reference = nanoseconds(m.t_device) if known else 0
@@ -330,6 +333,18 @@ class Encoder:
         second = [] if rig.one_camera else [right]
         moving = self._info.moving_camera
         yield from pose_messages(topics.TF_STATIC, None if moving else rig.pose, now, now, second)
+
+
+NOMINAL = ImuNoise(np.deg2rad(0.01), 300e-6 * 9.80665, 0.0, 0.0)
+"""Of the MPU-9250 (product specification 1.1), for IMUs whose noise was not measured."""
+PACKETS_HZ = 100.0
+
+
+def imu_variances(noise: ImuNoise | None) -> tuple[float, float]:
+    """rad²/s² and m²/s⁴ of each axis: white noise in the half of `PACKETS_HZ`. A message has no
+    place for biases, so these are not contained."""
+    noise = noise or NOMINAL
+    return noise.gyro**2 * PACKETS_HZ / 2, noise.accel**2 * PACKETS_HZ / 2
 
 
 def wrist_numbers(m: WristPose) -> Array:

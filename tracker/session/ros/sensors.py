@@ -27,10 +27,14 @@ _UNKNOWN_POSE = np.r_[0.0, 0, 0, 0, 0, 0, 1, np.zeros(36)]
 
 
 class ImuMessage(NamedTuple):
+    """Variances are those of each axis, 0 where they are not known."""
+
     stamp: int
     frame: str
     gyro: Array  # (3,) rad/s
     accel: Array  # (3,) m/s²
+    gyro_variance: float = 0.0  # rad²/s²
+    accel_variance: float = 0.0  # m²/s⁴
 
 
 class ImageMessage(NamedTuple):
@@ -59,7 +63,8 @@ def pack_imu(m: ImuMessage) -> bytes:
     out = CdrWriter()
     out.header(m.stamp, m.frame)
     values = _IMU_AT_REST.copy()
-    values[13:16], values[25:28] = m.gyro, m.accel
+    values[13:16], values[16:25:4] = m.gyro, m.gyro_variance
+    values[25:28], values[28:37:4] = m.accel, m.accel_variance
     out.doubles(values)
     return out.done()
 
@@ -68,7 +73,8 @@ def unpack_imu(data: bytes) -> ImuMessage:
     source = CdrReader(data)
     stamp, frame = source.header()
     values = source.doubles(37)
-    return ImuMessage(stamp, frame, values[13:16], values[25:28])
+    variances = float(values[16]), float(values[28])
+    return ImuMessage(stamp, frame, values[13:16], values[25:28], *variances)
 
 
 def pack_image(m: ImageMessage) -> bytes:

@@ -1,0 +1,78 @@
+"""The example for Rerun: its file, read again by Rerun itself, has the poses that were streamed."""
+
+from __future__ import annotations
+
+import socket
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+pytest.importorskip("rerun", reason="rerun-sdk is not installed")
+
+from tracker.base.clock import ClockAnchor
+from tracker.streaming.publisher import Names
+from tracker.streaming.udp import UdpPublisher
+
+EXAMPLE = Path(__file__).parents[2] / "docs" / "examples" / "rerun" / "glovetrack_rerun.py"
+MESSAGES = 5
+
+
+def free_port() -> int:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sock:
+        sock.bind(("127.0.0.1", 0))
+        port: int = sock.getsockname()[1]
+        return port
+
+
+def rows(path: Path) -> dict[str, list[Any]]:
+    """The columns of each entity, ``entity column``, as Rerun reads its file."""
+    from rerun import chunk as rerun_chunk
+
+    found: dict[str, list[Any]] = {}
+    for chunk in rerun_chunk.RrdReader(path).stream().to_chunks():
+        batch = chunk.to_record_batch()
+        for name in batch.schema.names:
+            found.setdefault(f"{chunk.entity_path} {name}", []).extend(batch[name].to_pylist())
+    return found
+
+
+def test_rerun_reads_the_hand_that_was_streamed(hand, glove, make_estimate, tmp_path: Path) -> None:
+    anchor = ClockAnchor(10**9, 1_732_538_096_000_000_000)
+    names = Names.of(hand, glove, anchor=anchor)
+    estimate = make_estimate(lost=("index_tip",), angles={"index_pip_flexion": 0.7})
+    port, path = free_port(), tmp_path / "hand.rrd"
+    command = [sys.executable, str(EXAMPLE), "--port", str(port), "--save", str(path)]
+    example = subprocess.Popen([*command, "--messages", str(MESSAGES)])
+    publisher = UdpPublisher(names, port=port)
+    try:
+        while example.poll() is None:
+            publisher.send(estimate)
+            with_patience(example)
+    finally:
+        publisher.close()
+        example.kill()
+    assert example.returncode == 0
+    found = rows(path)
+    known = [k for k, name in enumerate(names.keypoints) if name != "index_tip"]
+    points = found["/hand/right/keypoints Points3D:positions"]
+    assert len(points) == MESSAGES
+    np.testing.assert_allclose(points[0], estimate.keypoints[known], atol=2e-6)
+    assert found["/hand/right/keypoints Points3D:labels"][0] == [names.keypoints[k] for k in known]
+    (angle,) = found["/hand/right/angles/index_pip_flexion Scalars:scalars"][0]
+    assert angle == pytest.approx(np.rad2deg(0.7), abs=1e-3)
+    session = found["/hand/right/keypoints session"][0]
+    assert session.total_seconds() == pytest.approx(estimate.t, abs=1e-6)
+    wall = found["/hand/right/keypoints wall"][0]
+    assert wall.timestamp() == pytest.approx(names.wall_ns(estimate.t) / 1e9, abs=1e-3)  # type: ignore[operator]
+
+
+def with_patience(example: subprocess.Popen[bytes]) -> None:
+    """Wait a moment for the example to end."""
+    try:
+        example.wait(0.05)
+    except subprocess.TimeoutExpired:
+        return
