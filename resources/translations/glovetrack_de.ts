@@ -11847,92 +11847,92 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>The protocol has no participant {name}. It has: {known:list}.</source>
-      <translation type="unfinished" />
+      <translation>Das Protokoll hat keine Versuchsperson {name}. Es hat: {known:list}.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>The folder {folder} contains a study by another protocol. Continue with the protocol in {stored}, or choose another folder.</source>
-      <translation type="unfinished" />
+      <translation>Der Ordner {folder} enthält eine Studie nach einem anderen Protokoll. Fahren Sie mit dem Protokoll in {stored} fort, oder wählen Sie einen anderen Ordner.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>{folder} contains no study. Start one with: glovetrack study run.</source>
-      <translation type="unfinished" />
+      <translation>{folder} enthält keine Studie. Beginnen Sie eine mit: glovetrack study run.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>The progress file {path} is damaged: {why}.</source>
-      <translation type="unfinished" />
+      <translation>Die Fortschrittsdatei {path} ist beschädigt: {why}.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>Another program is running the trials of {participant} in {folder}.</source>
-      <translation type="unfinished" />
+      <translation>Ein anderes Programm führt gerade die Durchgänge von {participant} in {folder} aus.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>The study in {folder} has no accepted trial yet.</source>
-      <translation type="unfinished" />
+      <translation>Die Studie in {folder} hat noch keinen angenommenen Durchgang.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>No accepted trial has a reference. Add motion-capture recordings with glovetrack import-reference; only simulated trials contain their truth.</source>
-      <translation type="unfinished" />
+      <translation>Kein angenommener Durchgang hat eine Referenz. Fügen Sie Motion-Capture-Aufnahmen mit glovetrack import-reference hinzu; nur simulierte Durchgänge enthalten ihre Wahrheit.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>Unknown variant {name}. Available: {known:list}.</source>
-      <translation type="unfinished" />
+      <translation>Unbekannte Variante {name}. Verfügbar: {known:list}.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>This requires the extension {name}, which is not installed.</source>
-      <translation type="unfinished" />
+      <translation>Hierfür ist die Erweiterung {name} nötig, die nicht installiert ist.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>The recording was interrupted before its end.</source>
-      <translation type="unfinished" />
+      <translation>Die Aufnahme wurde vor ihrem Ende abgebrochen.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>The recording cannot be read: {why}</source>
-      <translation type="unfinished" />
+      <translation>Die Aufnahme ist nicht lesbar: {why}</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>The recording lasts {duration_s:.1f} s; the protocol requires {least_s:.1f} s.</source>
-      <translation type="unfinished" />
+      <translation>Die Aufnahme dauert {duration_s:.1f} s; das Protokoll verlangt {least_s:.1f} s.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>The hand was tracked for {found_percent:.0f} % of the time; the protocol requires {least_percent:.0f} %.</source>
-      <translation type="unfinished" />
+      <translation>Die Hand wurde {found_percent:.0f} % der Zeit verfolgt; das Protokoll verlangt {least_percent:.0f} %.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>Keypoints were measured for {found_percent:.0f} % of the time; the protocol requires {least_percent:.0f} %.</source>
-      <translation type="unfinished" />
+      <translation>Punkte der Hand wurden {found_percent:.0f} % der Zeit gemessen; das Protokoll verlangt {least_percent:.0f} %.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>{found_percent:.1f} % of the packets were lost; the protocol allows {most_percent:.1f} %.</source>
-      <translation type="unfinished" />
+      <translation>{found_percent:.1f} % der Pakete gingen verloren; das Protokoll erlaubt {most_percent:.1f} %.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>{found_hz:.0f} packets per second arrived; the protocol requires {least_hz:.0f}.</source>
-      <translation type="unfinished" />
+      <translation>{found_hz:.0f} Pakete pro Sekunde kamen an; das Protokoll verlangt {least_hz:.0f}.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>{found_percent:.0f} % of the images were not searched; the protocol allows {most_percent:.0f} %.</source>
-      <translation type="unfinished" />
+      <translation>{found_percent:.0f} % der Bilder wurden nicht durchsucht; das Protokoll erlaubt {most_percent:.0f} %.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>{found_hz:.1f} images per second arrived; the protocol requires {least_hz:.1f}.</source>
-      <translation type="unfinished" />
+      <translation>{found_hz:.1f} Bilder pro Sekunde kamen an; das Protokoll verlangt {least_hz:.1f}.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
