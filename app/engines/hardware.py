@@ -9,7 +9,9 @@ from functools import partial
 from pathlib import Path
 from typing import TypeVar
 
-from app.engines.camera_choice import ChosenCamera, choose
+import platformdirs
+
+from app.engines.camera_choice import NAME, ChosenCamera, choose, stated_count
 from app.engines.engine import (
     CameraPart,
     EngineSetup,
@@ -34,9 +36,12 @@ from tracker.firmware.versions import advice
 from tracker.glove import library
 from tracker.live.runner import LiveTracker
 from tracker.sensors.camera import StereoCamera, UnfitImages
+from tracker.sensors.camera_plugins import all_cameras
 from tracker.sensors.glove_link import GloveLink
 from tracker.sensors.image_input import ImageInput
+from tracker.sensors.rig_files import find_zed_file
 from tracker.sensors.sources import CameraSource, GloveSource, NoCamera, NoGlove
+from tracker.sensors.zed_registers import is_zed, zed_serial
 from tracker.session.description import SessionInfo, of_hands
 from tracker.session.recording.process import RecorderProcesses
 from tracker.vision.colours import ColourProfile, parse_profile
@@ -56,6 +61,8 @@ class Found:
     camera: ChosenCamera | None
     rig: StereoRig | None
     missing: tuple[str, ...]
+    calibration: str = ""
+    """Path of the calibration's file."""
 
     @property
     def name(self) -> str:
@@ -105,7 +112,7 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
     info = _info(gloves, pipeline, colours_text)
     recorders = RecorderProcesses()
     recorders.warm()
-    camera_part = _camera_part(found, camera, pipeline.rig, settings.calibration)
+    camera_part = _camera_part(found, camera, pipeline.rig, found.calibration)
     make_recorder = recorder_maker(tracker, info, recorders.record)
 
     def seen_from(glove: HandGlove) -> EngineSetup:
@@ -169,7 +176,8 @@ def find_devices(progress: JobProgress, settings: AppSettings) -> Found:
     found = _unless_missing(lambda: find_hand_gloves(progress, settings), missing)
     gloves = found.gloves if found is not None else ()
     progress(0.5, tr("camera"))
-    rig = _unless_missing(lambda: rig_of(settings.calibration), missing)
+    calibration = settings.calibration or zed_calibration(settings.camera)
+    rig = _unless_missing(lambda: rig_of(calibration), missing)
     width, height = (rig.left.width, rig.left.height) if rig else (WIDTH, HEIGHT)
     count = len(rig.sides) if rig else 0
     right = (rig.right.width, rig.right.height) if rig else None
@@ -179,10 +187,11 @@ def find_devices(progress: JobProgress, settings: AppSettings) -> Found:
     if not gloves and camera is None:
         raise DeviceError(" ".join(missing))
     if rig is not None and camera is not None and camera.source.fps > 0:
-        rig = rig_of(settings.calibration, camera.source.fps)
+        rig = rig_of(calibration, camera.source.fps)
     if gloves and not (rig and camera):
         missing.append(tr("The hand is tracked by its IMUs alone, so its position is unknown."))
-    return Found(gloves, camera, rig, (*missing, *(found.remarks if found is not None else ())))
+    remarks = found.remarks if found is not None else ()
+    return Found(gloves, camera, rig, (*missing, *remarks), calibration)
 
 
 def _unless_missing(find: Callable[[], T], missing: list[str]) -> T | None:
@@ -212,6 +221,31 @@ def _info(gloves: Sequence[HandGlove], pipeline: Pipeline, colours_text: str) ->
             for w in gloves
         ]
     )
+
+
+def zed_calibration(chosen: str, folders: Sequence[Path] | None = None) -> str:
+    """The path of the factory calibration of the connected ZED that is ``chosen``, or of the first
+    one, by its serial number; empty without a camera or a file."""
+    wanted = stated_count(chosen)[1].removeprefix(NAME)
+    for camera in all_cameras():
+        is_other = bool(wanted) and wanted not in (camera.name, str(camera.index))
+        if is_other or not is_zed(camera.path):
+            continue
+        serial = zed_serial(camera.path)
+        where = zed_folders() if folders is None else folders
+        found = find_zed_file(serial, list(where)) if serial is not None else None
+        if found is not None:
+            return str(found)
+    return ""
+
+
+def zed_folders() -> list[Path]:
+    """Where calibrations of ZED cameras are looked for: ours, and those of Stereolabs' software."""
+    return [
+        platformdirs.user_data_path("glovetrack", appauthor=False) / "calibrations",
+        Path("/usr/local/zed/settings"),
+        Path.home() / "zed" / "settings",
+    ]
 
 
 def rig_of(calibration: str, fps: float = FPS) -> StereoRig:

@@ -26,6 +26,7 @@ from tracker.sensors.v4l2 import QUERY as QUERY
 from tracker.sensors.v4l2 import Limits as Limits
 from tracker.sensors.v4l2 import limits_of as limits_of
 from tracker.sensors.v4l2 import serial_number as serial_number
+from tracker.sensors.zed_registers import GAIN_LIMITS, exposure_limits, is_zed, lock_exposure
 
 
 @dataclass(frozen=True)
@@ -165,10 +166,27 @@ class ControlledInput:
             self._changed, locks = False, self._locks
         captures = self._inner.captures()
         found = tuple(self._set(captures, name, getattr(locks, name)) for name in PROPERTIES)
+        if captures and not all(control.available for control in found):
+            own = self._own_registers(locks)
+            found = tuple(c if c.available else own.get(c.name, c) for c in found)
         paths = self._paths or ("",) * len(captures)
         reports = tuple(report_of(c, path) for c, path in zip(captures, paths, strict=False))
         with self._lock:
             self._controls, self._reports = found, reports
+
+    def _own_registers(self, locks: Locks) -> dict[str, Control]:
+        """Exposure and gain of a ZED, which has them in its own registers."""
+        if len(self._paths) != 1 or not is_zed(self._paths[0]):
+            return {}
+        found = lock_exposure(self._paths[0], locks.exposure, locks.gain)
+        if found is None:
+            return {}
+        now, confirmed = found
+        rows, locked = exposure_limits(self.fps), not now.automatic
+        return {
+            "exposure": Control("exposure", True, now.exposure, locked, confirmed, rows),
+            "gain": Control("gain", True, now.gain, locked, confirmed, GAIN_LIMITS),
+        }
 
     def _set(self, captures: list[cv2.VideoCapture], name: str, value: float | None) -> Control:
         limits = limits_of(self._paths[0], name) if self._paths else None

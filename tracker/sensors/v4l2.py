@@ -49,7 +49,7 @@ class ControlIo:
     """
 
     def __init__(self, path: str, ioctl: Ioctl | None = None) -> None:
-        self._path, self._ioctl = path, ioctl or _ioctl()
+        self._path, self._ioctl = path, ioctl or system_ioctl()
         self._device = -1
 
     def __enter__(self) -> ControlIo:
@@ -104,7 +104,7 @@ def serial_number(path: str, system: Path = SYSTEM) -> str:
     return ""
 
 
-def _ioctl() -> Ioctl | None:
+def system_ioctl() -> Ioctl | None:
     """The system's own, where there is one."""
     try:
         from fcntl import ioctl
