@@ -9,6 +9,7 @@ anything else a file or an address. The prefix ``one:`` states that its images a
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -18,6 +19,7 @@ from tracker.base.errors import DeviceError
 from tracker.base.notices import Notice
 from tracker.sensors.camera_controls import ControlledInput, Locks, locks_from
 from tracker.sensors.camera_plugins import all_cameras, is_plugin, open_plugin
+from tracker.sensors.camera_stamps import HasStamps
 from tracker.sensors.image_input import (
     CameraName,
     CaptureFormat,
@@ -57,6 +59,10 @@ class Exchanged:
         if pair is None or pair[1] is None:
             return pair  # a single camera has nothing to exchange
         return pair[1], pair[0]
+
+    def stamp(self) -> float:
+        """s, the driver's time stamp of the last image; NaN where there is none."""
+        return self._inner.stamp() if isinstance(self._inner, HasStamps) else math.nan
 
     def shortfalls(self) -> list[Notice]:
         """What the devices grant less than was requested."""

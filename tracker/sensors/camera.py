@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections import deque
 from collections.abc import Callable, Sequence
@@ -14,6 +15,7 @@ from tracker.base.clock import monotonic, nanoseconds, seconds
 from tracker.base.errors import DeviceError
 from tracker.base.notices import Notice, notice, warning
 from tracker.messages import EYES, Event, StereoFrame
+from tracker.sensors.camera_stamps import HasStamps, SteadyArrivals
 from tracker.sensors.image_input import HasShortfalls, Image, ImageInput, Pair
 from tracker.sensors.image_watch import ImageWatch, WatchParams
 from tracker.vision.rig import StereoRig
@@ -21,7 +23,7 @@ from tracker.vision.rig import StereoRig
 
 @dataclass(frozen=True)
 class CameraParams:
-    """``delay``: s from the middle of an exposure to the image's arrival."""
+    """``delay``: s from the middle of an exposure to the image's arrival, if nothing is busy."""
 
     delay: float = 0.035
     retry: float = 0.4  # s between attempts to open a camera that is gone
@@ -61,6 +63,7 @@ class StereoCamera:
         self._next_attempt = float("-inf")
         self._next_due: float | None = None
         self._arrivals: deque[float] = deque(maxlen=120)
+        self._steady = SteadyArrivals()
         self._restart_watch()
         self._index = 0
         self.unfit: UnfitImages | None = None
@@ -73,6 +76,7 @@ class StereoCamera:
     def _restart_watch(self) -> None:
         self._watch = (ImageWatch(self._params.watch), ImageWatch(self._params.watch))
         self._arrivals.clear()
+        self._steady.restart()
 
     @property
     def fps(self) -> float:
@@ -186,6 +190,8 @@ class StereoCamera:
 
     def _frame(self, pair: Pair) -> StereoFrame | None:
         arrival = self._clock()
+        stamp = self._source.stamp() if isinstance(self._source, HasStamps) else math.nan
+        at_once = self._steady.arrival(arrival, stamp)
         self._count_missed(arrival)
         self._arrivals.append(arrival)
         self._watch_rate()
@@ -197,7 +203,7 @@ class StereoCamera:
         if left is None and right is None:
             return None
         self._index += 1
-        t = seconds(nanoseconds(arrival - self._params.delay))
+        t = seconds(nanoseconds(at_once - self._params.delay))
         return StereoFrame(t, arrival, left, right, index=self._index - 1)
 
     def _count_missed(self, arrival: float) -> None:

@@ -10,6 +10,7 @@ images go on meanwhile.
 
 from __future__ import annotations
 
+import math
 import threading
 from dataclasses import dataclass, replace
 from typing import Protocol
@@ -20,6 +21,7 @@ from tracker.base.notices import Notice
 from tracker.sensors.camera_fixed import FixedSetting, fix_settings, local_mains_hz, unverified
 from tracker.sensors.camera_format import CameraReport as CameraReport
 from tracker.sensors.camera_format import Capture, report_of
+from tracker.sensors.camera_stamps import HasStamps
 from tracker.sensors.camera_systems import exposure_switch
 from tracker.sensors.image_input import HasShortfalls, ImageInput, Pair
 from tracker.sensors.v4l2 import QUERY as QUERY
@@ -128,6 +130,10 @@ class ControlledInput:
     def read(self) -> Pair | None:
         self._apply()
         return self._inner.read()
+
+    def stamp(self) -> float:
+        """s, the driver's time stamp of the last image; NaN where there is none."""
+        return self._inner.stamp() if isinstance(self._inner, HasStamps) else math.nan
 
     def close(self) -> None:
         self._inner.close()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Protocol, runtime_checkable
@@ -82,6 +83,12 @@ class StreamInput:
         image = np.asarray(read, np.uint8)
         two = is_pair(image) if self._cameras == 0 else self._cameras == 2
         return split(image) if two else (image, None)
+
+    def stamp(self) -> float:
+        """s, the driver's time stamp of the last image; NaN where there is none."""
+        if self._capture is None or not self.live:
+            return math.nan
+        return float(self._capture.get(cv2.CAP_PROP_POS_MSEC)) / 1000
 
     def captures(self) -> list[cv2.VideoCapture]:
         """The open device, for its controls."""
