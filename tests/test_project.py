@@ -252,6 +252,7 @@ CLOCKS = {
     "extensions/lsl/outlet.py": "the default of a clock that is handed over",
     "extensions/landmarks/lines.py": "when it connects again",
     "extensions/study/simulated.py": "when a trial was recorded",
+    "extensions/study/window/station.py": "when a trial was recorded",
     "extensions/ros2/glovetrack_ros/glovetrack_ros/convert.py": "stamps of schema 1",
     "extensions/vr/opengloves.py": "when it opens the pipe again",
     "extensions/vr/vmt.py": "how long it waits for the driver",

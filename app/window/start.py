@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import sys
+from collections.abc import Callable
 from dataclasses import replace
 
 from PySide6.QtCore import Qt, QTimer
@@ -12,6 +13,7 @@ from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication, QWidget
 
 from app.engines.demo_camera import DemoChoice, start_camera
+from app.panels.command_kind import CommandContext
 from app.platform.compiling import compile_before_start
 from app.platform.crash import CrashWatch, log_folder, log_to_file
 from app.platform.process_tuning import tune_process
@@ -38,14 +40,16 @@ NO_SCREEN = (
     "(see the README)."
 )
 
+Then = Callable[[CommandContext], None]
 SingleShot = Qt.ConnectionType.SingleShotConnection
 
 ENDS = ("SIGINT", "SIGTERM", "SIGHUP")
 """Signals of Ctrl+C, of a logout or a shutdown, and of a terminal that is closed."""
 
 
-def open_window(options: WindowOptions) -> int:
-    """Open the window; returns the exit status.
+def open_window(options: WindowOptions, then: Then | None = None) -> int:
+    """Open the window; returns the exit status. ``then`` is called when it is shown; such a window
+    is opened even if another one is open.
 
     Raises UsageError for options that contradict each other, and GlovetrackError.
     """
@@ -66,7 +70,7 @@ def open_window(options: WindowOptions) -> int:
     app.setDesktopFileName("glovetrack")
     app.setWindowIcon(QIcon(str(folder("icons") / "glovetrack.svg")))
     if options.headless_report is None:
-        return _run(app, options)
+        return _run(app, options, then)
     return _report(options, options.headless_report)
 
 
@@ -115,8 +119,8 @@ def _report(options: WindowOptions, seconds: float) -> int:
     return headless_report(seconds, options.out, watched, connected, options.wearer)
 
 
-def _run(app: QApplication, options: WindowOptions) -> int:
-    if not options.demo and hand_over(options.session, options.at):
+def _run(app: QApplication, options: WindowOptions, then: Then | None) -> int:
+    if then is None and not options.demo and hand_over(options.session, options.at):
         return 0  # the open window shows it
     store = SettingsStore()
     install(app, store.value.language)
@@ -124,7 +128,7 @@ def _run(app: QApplication, options: WindowOptions) -> int:
     log_to_file(log_folder())
     crashes, instance = CrashWatch(log_folder()), Instance()
     try:
-        return _show(app, options, store, crashes, instance)
+        return _show(app, options, store, crashes, instance, then)
     finally:
         instance.close()
         crashes.end()
@@ -136,6 +140,7 @@ def _show(
     store: SettingsStore,
     crashes: CrashWatch,
     instance: Instance,
+    then: Then | None,
 ) -> int:
     camera = start_camera(choice=_demo(options)) if options.demo else None
     from app.window.main_window import MainWindow  # deferred: after the camera has started
@@ -159,6 +164,8 @@ def _show(
         window.sources.open_session(options.session, options.at)
     elif options.devices:
         window.sources.open_devices()
+    if then is not None:
+        then(window.context)
     return app.exec()
 
 

@@ -185,32 +185,15 @@ def _add_report(parser: argparse.ArgumentParser) -> None:
 
 def _report(args: argparse.Namespace) -> None:
     from extensions.study.folder import open_study
-    from extensions.study.report import report_page, touch_lines, write_movement
-    from tracker.base.files import make_folder, write_whole
+    from extensions.study.report import write_movement
+    from extensions.study.results import write_report
 
     study = open_study(args.folder)
     folder = args.output or args.folder / "report"
-    make_folder(folder)
-    touch = list(touch_lines(study, folder))
-    page = folder / "report.html"
-    write_whole(page, report_page(study, touch, _errors(study)))
-    print(page)
+    print(write_report(study, folder))
     if args.movement:
         write_movement(study, folder / "movement.html")
         print(folder / "movement.html")
-
-
-def _errors(study: Study) -> str:
-    """The table of errors as recorded, as HTML; empty without references."""
-    from tracker.base.report_page import html_table
-
-    try:
-        with _other_extension("evaluation"):
-            from extensions.study import retrack, tables
-        evaluated = tables.evaluate(study, retrack.chosen((retrack.RECORDED,)), processes=1)
-    except ConfigError:
-        return ""
-    return html_table(*tables.as_table(tables.rows_of(evaluated)))
 
 
 # ---- export

@@ -57,6 +57,7 @@ class Conductor:
         self.paused = False
         self._since = self._last = 0.0
         self._shown = 0  # cues so far
+        self._interrupted = False
         self._enter()
 
     # ---- what to show
@@ -146,14 +147,14 @@ class Conductor:
             self.interrupt(t)
 
     def interrupt(self, t: float) -> None:
-        """Stop a running trial: its recording is superseded by the next one."""
+        """Stop a running trial: its recording is superseded when it is complete."""
         step, self._last = self.step, t
         if step is None or self.phase is not Phase.RUNNING:
             return
-        if step.kind == TRIAL:
-            self._station.end()
-            self.progress.repeat(step, "interrupted")
         self._change(Phase.READY, t)
+        if step.kind == TRIAL:
+            self.phase, self._interrupted = Phase.CHECKING, True
+            self._station.end()
 
     # ---- time, and what the owner reports
 
@@ -171,8 +172,14 @@ class Conductor:
 
     def recorded(self) -> None:
         """The file of the trial is complete."""
-        if self.phase is Phase.CHECKING and self.step is not None:
-            self.progress.recorded(self.step)
+        step, interrupted, self._interrupted = self.step, self._interrupted, False
+        if self.phase is not Phase.CHECKING or step is None:
+            return
+        if interrupted:
+            self.progress.repeat(step, "interrupted")
+            self._enter()
+        else:
+            self.progress.recorded(step)
 
     def judged(self, verdict: Verdict) -> None:
         """The verdict on the trial's file."""

@@ -16,6 +16,8 @@ TEXTS = {
     ),
     "study.unknown_variant": "Unknown variant {name}. Available: {known:list}.",
     "study.needs_extension": "This requires the extension {name}, which is not installed.",
+    "study.no_engine": "Nothing is tracked. Connect the glove and the camera, then start again.",
+    "study.no_recording": "Another recording is running. Stop it, then start again.",
     "study.unfinished": "The recording was interrupted before its end.",
     "study.unreadable": "The recording cannot be read: {why}",
     "study.short": (

@@ -5912,7 +5912,7 @@ change {}: {}</source>
     <message>
       <location filename="app/window/ticker.py" />
       <source>Paused</source>
-      <translation>Pause</translation>
+      <translation>Angehalten</translation>
     </message>
     <message>
       <location filename="app/window/ticker.py" />
@@ -7562,7 +7562,7 @@ change {}: {}</source>
     <message>
       <location filename="extensions/conformance/window/guide/result.py" />
       <source>Checking the recording…</source>
-      <translation>Aufnahme wird geprüft …</translation>
+      <translation>Die Aufnahme wird geprüft…</translation>
     </message>
     <message>
       <location filename="extensions/conformance/window/guide/result.py" />
@@ -8408,6 +8408,161 @@ change {}: {}</source>
       <location filename="extensions/room/window/source_form.py" />
       <source>Tracker on the left hand</source>
       <translation>Tracker an der linken Hand</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/dialog.py" />
+      <source>Report of the study</source>
+      <translation>Bericht der Studie</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/dialog.py" />
+      <source>Time until the next cue</source>
+      <translation>Zeit bis zur nächsten Anweisung</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/dialog.py" />
+      <source>Steps that are done</source>
+      <translation>Erledigte Schritte</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/dialog.py" />
+      <source>Repo&amp;rt</source>
+      <translation>Be&amp;richt</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/dialog.py" />
+      <source>E&amp;xclude</source>
+      <translation>A&amp;usschließen</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/dialog.py" />
+      <source>Keep the recording, but do not evaluate it</source>
+      <translation>Aufnahme behalten, aber nicht auswerten</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/dialog.py" />
+      <source>&amp;Repeat</source>
+      <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/dialog.py" />
+      <source>Verdict on {}</source>
+      <translation>Urteil über {}</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/dialog.py" />
+      <source>&amp;Continue</source>
+      <translation>&amp;Fortsetzen</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/dialog.py" />
+      <source>&amp;Pause</source>
+      <translation>&amp;Pause</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/dialog.py" />
+      <source>Study: {}</source>
+      <translation>Studie: {}</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/extension.py" />
+      <source>St&amp;udy…</source>
+      <translation>St&amp;udie…</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/extension.py" />
+      <source>Protocol of a study</source>
+      <translation>Protokoll einer Studie</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/extension.py" />
+      <source>Protocols (*.toml)</source>
+      <translation>Protokolle (*.toml)</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/view_model.py" />
+      <source>{:.1f} s, tracked {:.0f} % of the time, measured {:.0f} %, inferred {:.0f} %, {} packets lost, {:.0f} images per second</source>
+      <translation>{:.1f} s, {:.0f} % der Zeit verfolgt, {:.0f} % gemessen, {:.0f} % erschlossen, {} Pakete verloren, {:.0f} Bilder pro Sekunde</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/view_model.py" />
+      <source>Not good</source>
+      <translation>Nicht gut</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/view_model.py" />
+      <source>&amp;Accept anyway</source>
+      <translation>Trotzdem &amp;annehmen</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/view_model.py" />
+      <source>Finished</source>
+      <translation>Fertig</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/view_model.py" />
+      <source>Thank you!</source>
+      <translation>Vielen Dank!</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/view_model.py" />
+      <source>All trials are done.</source>
+      <translation>Alle Durchgänge sind erledigt.</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/view_model.py" />
+      <source>&amp;Finished</source>
+      <translation>&amp;Fertig</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/view_model.py" />
+      <source>Good</source>
+      <translation>Gut</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/view_model.py" />
+      <source>&amp;Accept, go on</source>
+      <translation>&amp;Annehmen, weiter</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/view_model.py" />
+      <source>{}: {} of {} trials done</source>
+      <translation>{}: {} von {} Durchgängen erledigt</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/view_model.py" />
+      <source>Get ready</source>
+      <translation>Machen Sie sich bereit</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/view_model.py" />
+      <source>Rest</source>
+      <translation>Pause</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/view_model.py" />
+      <source>Relax the hand.</source>
+      <translation>Entspannen Sie die Hand.</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/view_model.py" />
+      <source>&amp;Skip the rest</source>
+      <translation>Pause über&amp;springen</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/view_model.py" />
+      <source>{:.1f} s</source>
+      <translation>{:.1f} s</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/view_model.py" />
+      <source>Practice: {}</source>
+      <translation>Übung: {}</translation>
+    </message>
+    <message>
+      <location filename="extensions/study/window/view_model.py" />
+      <source>{}, try {}</source>
+      <translation>{}, Versuch {}</translation>
     </message>
     <message>
       <location filename="extensions/touch/window/dialog.py" />
@@ -11888,6 +12043,16 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>This requires the extension {name}, which is not installed.</source>
       <translation>Hierfür ist die Erweiterung {name} nötig, die nicht installiert ist.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Nothing is tracked. Connect the glove and the camera, then start again.</source>
+      <translation>Es wird nichts verfolgt. Schließen Sie Handschuh und Kamera an, und starten Sie dann erneut.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Another recording is running. Stop it, then start again.</source>
+      <translation>Eine andere Aufnahme läuft. Beenden Sie diese, und starten Sie dann erneut.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />

@@ -17,6 +17,7 @@ PARTS = {
     "openxr": {"panel openxr"},
     "robot": {"panel robot"},
     "room": {"command room_tracker"},
+    "study": {"command study"},
     "touch": {"command touch_test"},
 }
 """What the window loses with each folder; nothing with the others."""

@@ -7,6 +7,9 @@ import pytest
 from extensions.study.folder import Study, start_study
 from extensions.study.headless import run_headless
 from extensions.study.tests.studies import write_protocol
+from tests.gui.conftest import no_leaks, qtbot, store, window
+
+__all__ = ["no_leaks", "qtbot", "store", "window"]
 
 
 @pytest.fixture(scope="session")
