@@ -11,6 +11,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol, TypeAlias
 
+import numpy as np
+
 from tracker.base.notices import Notice
 from tracker.fusion.engine import Engine
 from tracker.live.history import SearchedImage
@@ -44,12 +46,17 @@ if TYPE_CHECKING:  # a window without a demo does not load the simulator
 class ReferenceHand:
     """A hand to show next to the tracked one: another tracking, or the simulated hand itself.
 
-    Keypoints (K, 3) m, segment rotations R (S, 3, 3) and origins p (S, 3) m.
+    Keypoints (K, 3) m, segment rotations R (S, 3, 3) and origins p (S, 3) m; NaN where unknown.
     """
 
     keypoints: Array
     R_GB: Array
     p_GB: Array
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether all segments are known."""
+        return bool(np.isfinite(self.R_GB).all() and np.isfinite(self.p_GB).all())
 
 
 @dataclass(frozen=True)

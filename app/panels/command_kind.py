@@ -23,6 +23,7 @@ class CommandContext:
 
     ``show_dialog(name, make)`` shows a dialog, or brings an open one of that name to the front.
     ``remote``: remote control, with its settings.
+    ``open_session(path, at)`` replays a recording, paused at ``at`` s unless that is None.
     ``recordings``: the selected recordings, for a command on recordings.
     """
 
@@ -32,6 +33,7 @@ class CommandContext:
     window: QWidget
     show_dialog: Callable[[str, Callable[[], QDialog]], None]
     remote: RemoteControl
+    open_session: Callable[[Path, float | None], None]
     recordings: Sequence[Path] = ()
 
 

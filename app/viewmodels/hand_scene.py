@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.engines.engine import EngineSetup
+from app.engines.protocols import ReferenceHand
 from app.engines.snapshot import Snapshot
 from app.viewmodels.camera_overlay import VISIBLE
 from app.viewmodels.hand_skin import scales
@@ -125,7 +126,8 @@ class HandScene:
 
     segment_R (S, 3, 3), segment_p (S, 3); segment_state (S,) `Validity`; markers (M, 3) m;
     marker_state (M,); tips (T, 3) m, tip_sd (T,) m; scale (S, 3) of the wearer; reference, the
-    second hand (R (S, 3, 3), p (S, 3)) or None; R_GC, p_GC of the camera; trail (`TRAIL_POINTS`, 3)
+    second hand (R (S, 3, 3), p (S, 3)) or None; reference_points (K, 3) m, its keypoints where the
+    whole hand is not known, otherwise NaN; R_GC, p_GC of the camera; trail (`TRAIL_POINTS`, 3)
     m, path of a fingertip, oldest first.
     """
 
@@ -138,10 +140,18 @@ class HandScene:
     tip_sd: Array
     scale: Array
     reference: tuple[Array, Array] | None
+    reference_points: Array
     R_GC: Array
     p_GC: Array
     caption: str
     trail: Array
+
+
+def _points_of(other: ReferenceHand | None, count: int) -> Array:
+    """(K, 3) m: the known keypoints of a hand that cannot be drawn whole."""
+    if other is None or other.is_whole:
+        return np.full((count, 3), np.nan)
+    return other.keypoints
 
 
 class HandSceneModel:
@@ -212,7 +222,8 @@ class HandSceneModel:
             marker_state=self._marker_states(view.result, estimate.t),
             tips=estimate.keypoints[self._tip_rows],
             tip_sd=estimate.keypoint_sd[self._tip_rows],
-            reference=None if other is None else (other.R_GB, other.p_GB),
+            reference=(other.R_GB, other.p_GB) if other is not None and other.is_whole else None,
+            reference_points=_points_of(other, len(estimate.keypoints)),
             R_GC=pose.R_GC,
             p_GC=pose.p_GC,
             trail=self._trail_points(estimate),

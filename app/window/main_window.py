@@ -111,7 +111,8 @@ class MainWindow(QMainWindow):
 
     def _make_panels(self) -> None:
         self.context = CommandContext(
-            self.host, self.store, self.tasks, self, self.set_up.show_once, self.remote
+            *(self.host, self.store, self.tasks, self, self.set_up.show_once, self.remote),
+            lambda path, at: self.sources.open_session(path, at),
         )
         services = PanelServices(
             self.host,

@@ -72,12 +72,14 @@ class Bin:
 
 @dataclass(frozen=True)
 class Instant:
-    """A large error: s from the start of the session, keypoint, its error (m), state and speed."""
+    """A large error: s from the start of the session, keypoint, its error (m), state, claimed
+    standard deviation per coordinate (m) and speed."""
 
     t: float
     keypoint: str
     error: float
     state: str
+    sd: float
     speed: float
 
 
@@ -220,9 +222,16 @@ def _worst(pairs: Pairs, distance: Array) -> list[Instant]:
         if all(abs(pairs.t[i] - w.t) >= APART for w in out):
             k = int(column[i])
             state = Validity(int(pairs.state[i, k])).name.lower()
-            speed = float(pairs.speed[i, k])
-            out.append(Instant(float(pairs.t[i]), pairs.names[k], float(largest[i]), state, speed))
+            sd, speed = float(pairs.sd[i, k]), float(pairs.speed[i, k])
+            found = float(pairs.t[i]), pairs.names[k], float(largest[i])
+            out.append(Instant(*found, state, sd, speed))
     return out
+
+
+def worst_of(measured: Sequence[Measured]) -> list[tuple[Measured, Instant]]:
+    """The largest errors of all recordings, with their recordings."""
+    found = [(m, w) for m in measured for w in m.worst]
+    return sorted(found, key=lambda of: -of[1].error)[:WORST]
 
 
 @dataclass(frozen=True)

@@ -36,9 +36,9 @@ def add_import(command: argparse.ArgumentParser) -> None:
     command.add_argument("--no-drift", action="store_true", help="assume clocks of one rate")
     command.add_argument(
         "--register",
-        choices=("rigid", "none"),
-        default="rigid",
-        help="estimate the laboratory's frame, or use the session's",
+        choices=("offsets", "rigid", "none"),
+        default="offsets",
+        help="estimate the laboratory's frame and marker offsets, the frame alone, or nothing",
     )
     command.add_argument("--hand", choices=SIDES, default="", help="hand in a session of both")
     add_json(command)
@@ -47,6 +47,7 @@ def add_import(command: argparse.ArgumentParser) -> None:
 def import_reference_command(args: argparse.Namespace) -> int:
     """Write the session with its reference, and report alignment and registration."""
     from extensions.reference.importing import ImportOptions, import_reference
+    from extensions.reference.remarks import remarks
 
     files = [args.reference, args.session]
     check_json(args, files)
@@ -72,6 +73,7 @@ def import_reference_command(args: argparse.Namespace) -> int:
         f"Registration: residual {1e3 * about.rigid.residual:.2f} mm rigid, "
         f"{1e3 * about.with_offsets.residual:.2f} mm with marker offsets."
     )
+    lines += [str(remark) for remark in remarks(about, options.with_drift)]
     finish(args, about.as_json(), lines, [*files, args.output])
     return 0
 
@@ -99,20 +101,15 @@ def add_accuracy(command: argparse.ArgumentParser) -> None:
 
 def accuracy_command(args: argparse.Namespace) -> int:
     """Write the page, and print the line that can be quoted."""
-    from extensions.reference.accuracy import headline, measure
+    from extensions.reference.accuracy import headline
     from extensions.reference.numbers import as_json
-    from extensions.reference.page import page
-    from extensions.reference.pairs import anonymized, read_pairs
-    from tracker.base.files import check_target, write_whole
+    from extensions.reference.report import write_report
     from tracker.session.glance import sessions_in
 
     paths = [path for path, _ in sessions_in(args.sessions)]
     check_json(args, paths)
-    check_target(args.output, args.force, paths)
-    offsets = not args.without_offsets
-    pairs = [p for path in paths for p in read_pairs(path)]
-    pairs = anonymized(pairs) if args.anonymous else pairs
-    measured = [measure(p, offsets) for p in pairs]
-    write_whole(args.output, page(measured, offsets), args.force, paths)
+    measured = write_report(
+        paths, args.output, not args.without_offsets, args.anonymous, args.force
+    )
     finish(args, as_json(measured), [headline(measured)], [*paths, args.output])
     return 0

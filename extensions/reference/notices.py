@@ -22,9 +22,10 @@ TEXTS = {
     ),
     "reference.bad_start": "{text!r} is not a time. Example: 2026-03-31T14:05:09.120+02:00.",
     "reference.no_overlap": "The reference and {session} do not overlap in time.",
-    "reference.no_pulses": (
-        "No pulse in {where}. The session needs events of the kind pulse, the reference events or a"
-        " channel named with --pulse."
+    "reference.no_pulses": "The session does not contain events of the kind pulse.",
+    "reference.no_pulses_in_file": (
+        "The reference does not contain events of this name. State the name of its events or of an"
+        " analogue channel (--pulse)."
     ),
     "reference.pulses_differ": (
         "The pulses of the reference ({theirs}) and of the session ({ours}) do not match at one"
@@ -43,7 +44,34 @@ TEXTS = {
     ),
     "reference.no_keypoint": "The hand has no keypoint {name}. Its keypoints: {known}.",
     "reference.none": (
-        "{session} does not contain a reference. Import one with glovetrack import-reference."
+        "{session} does not contain a reference. Import one (Replay, Import reference…, or"
+        " glovetrack import-reference)."
+    ),
+    "reference.partly_covered": (
+        "The reference covers {share:.0f} % of the session. The remaining time is not evaluated."
+    ),
+    "reference.drift_unknown": (
+        "The drift of the clocks cannot be determined to 100 ppm and is taken as 0."
+    ),
+    "reference.time_scatters": (
+        "The time offset varies by {residual_ms:.1f} ms (rms) over the recording. Errors of fast"
+        " movements contain this."
+    ),
+    "reference.large_residual": (
+        "After the registration, reference and session are {residual_mm:.0f} mm apart (rms). Check"
+        " the names of the points, the unit, and that both recorded the same hand."
+    ),
+    "reference.offsets_uncertain": (
+        "The marker offsets of {keypoints:list} are known to {sd_mm:.0f} mm only. In the next"
+        " recording, turn the hand about all axes."
+    ),
+    "reference.offsets_inferred": (
+        "{keypoints:list}: never or hardly measured by the glove. Their marker offsets are medians"
+        " over the recording."
+    ),
+    "reference.not_drawn": (
+        "The replay draws the points of the reference instead of a hand, because of missing ones:"
+        " {keypoints:list}."
     ),
     "reference.damaged": "{session}: the description of the reference cannot be read.",
 }

@@ -71,7 +71,7 @@ def _recording(m: Measured) -> dict[str, Any]:
         "nees_per_dof": m.nees,
         "worst": [
             {"t_s": w.t, "keypoint": w.keypoint, "error_mm": 1e3 * w.error, "state": w.state,
-             "speed_m_s": w.speed}
+             "claimed_sd_mm": 1e3 * w.sd, "speed_m_s": w.speed}
             for w in m.worst
         ],
     }  # fmt: skip

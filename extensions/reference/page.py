@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from html import escape
 
@@ -174,9 +175,25 @@ def clock(t: float) -> str:
 
 
 def _worst(m: Measured) -> str:
-    rows = [[clock(w.t), w.keypoint, number(1e3 * w.error), w.state, number(w.speed, 2)]
-            for w in m.worst]  # fmt: skip
-    return html_table(("time in the session", "keypoint", "error mm", "state", "speed m/s"), rows)
+    head = ["time in the session", "keypoint", "error mm", "state", "claimed sd mm", "speed m/s"]
+    rows = [[clock(w.t), w.keypoint, number(1e3 * w.error), w.state, number(1e3 * w.sd),
+             number(w.speed, 2)] for w in m.worst]  # fmt: skip
+    if not m.pairs.linked:
+        return html_table(head, rows)
+    rows = [[*row, replay(m.pairs.path.name, w.t)] for row, w in zip(rows, m.worst, strict=True)]
+    note = (
+        '<p class="note">Each command opens the replay, paused at the instant. Run it in the '
+        "recording's folder, or double-click the row in the window (Replay, Accuracy report).</p>"
+    )
+    return html_table([*head, "command"], rows) + note
+
+
+def replay(file: str, t: float) -> str:
+    """The command that opens a session at t s; rounded up, since the replay shows the last estimate
+    up to this time."""
+    plain = all(c.isalnum() or c in "._-+" for c in file)
+    name = file if plain else json.dumps(file, ensure_ascii=False)
+    return f"glovetrack {name} --at {np.ceil(1e3 * t) / 1e3:.3f}"
 
 
 def _definitions(offsets: bool) -> str:

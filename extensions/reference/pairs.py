@@ -36,7 +36,8 @@ class Pairs:
     """N instants at t (N,) s of a session, K keypoints of ``names``: ``ours``, ``rigid`` and
     ``theirs`` (N, K, 3) m in G: the estimate, the reference registered rigidly, and that with
     marker offsets; NaN where either is unknown. ``R_GH`` (N, 3, 3) axes of the hand (the dorsum's).
-    ``state``, ``sd`` (N, K), ``speed`` (N, K) m/s of the reference."""
+    ``state``, ``sd`` (N, K), ``speed`` (N, K) m/s of the reference. ``path`` of the session;
+    ``linked``: reports may name it."""
 
     name: str
     person: str
@@ -54,6 +55,8 @@ class Pairs:
     state: IntArray
     sd: Array
     speed: Array
+    path: Path
+    linked: bool = True
 
     def errors(self, offsets: bool = True) -> Array:
         """(N, K, 3) m in the hand's axes (x to the fingers, y to the left, z dorsal)."""
@@ -109,7 +112,7 @@ def _read(path: Path, side: str) -> Pairs:
     return Pairs(
         f"{path.stem} {info.side}", info.participant, info.side, info.engine, info.version,
         info.simulated, imported.about, t, names, ours, rigid, theirs, R_GH, state, sd,
-        _speeds(t, rigid),
+        _speeds(t, rigid), path,
     )  # fmt: skip
 
 
@@ -127,6 +130,7 @@ def anonymized(pairs: Sequence[Pairs]) -> list[Pairs]:
         replace(
             p,
             name=f"recording {n} {p.side}",
+            linked=False,
             person=f"person {people.index(p.person) + 1}" if p.person else "",
             about=replace(p.about, file="reference"),
         )

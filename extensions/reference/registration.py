@@ -17,6 +17,7 @@ from tracker.base.errors import FileError
 from tracker.base.notices import notice
 from tracker.geometry import so3
 from tracker.messages import Array
+from tracker.session.edits import Mask
 
 _TRIMMED = 3.0  # robust standard deviations beyond which a point is not used
 _HUBER = 1.345
@@ -148,7 +149,7 @@ def register_offsets(x_L: Array, x_G: Array, R_GB: Array, start: Registration) -
 
 
 def with_inferred(
-    found: Registration, x_L: Array, x_G: Array, R_GB: Array, inferred: Array
+    found: Registration, x_L: Array, x_G: Array, R_GB: Array, inferred: Mask
 ) -> Registration:
     """The offsets of the keypoints ``inferred`` (K,), which are hardly ever measured and take no
     part in the registration, too: medians over time, without a standard deviation."""

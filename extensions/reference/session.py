@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import heapq
 import json
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -38,12 +38,15 @@ from tracker.session.ros import motion, topics
 
 SCHEMA = 1
 MEDIA_TYPE = "application/json"
+_REGISTRATIONS = ("rigid", "with_offsets")
 
 
 @dataclass(frozen=True, eq=False)
 class Described:
     """What is known of an imported reference. ``keypoints`` of which it has points; ``rigid`` and
-    ``with_offsets`` have the rows of ``keypoints``."""
+    ``with_offsets`` have the rows of ``keypoints``. ``residuals`` (2, K) m: rms of each keypoint,
+    rigid and with offsets, NaN where unknown; ``covered``: share of the session's instants with a
+    reference, NaN if unknown; ``missing``: keypoints of the hand without a reference."""
 
     file: str
     kind: str
@@ -52,6 +55,9 @@ class Described:
     timing: Timing
     rigid: Registration
     with_offsets: Registration
+    residuals: Array
+    covered: float
+    missing: tuple[str, ...]
 
     def as_json(self) -> dict[str, Any]:
         """Plain values, in m, s and without units."""
@@ -64,6 +70,11 @@ class Described:
             "timing": asdict(self.timing),
             "rigid": _plain(self.rigid),
             "with_offsets": _plain(self.with_offsets),
+            "keypoint_residuals": dict(
+                zip(_REGISTRATIONS, map(_numbers, self.residuals), strict=True)
+            ),
+            "covered": self.covered,
+            "missing": list(self.missing),
         }
 
     def corrected(self, x_G: Array, R_GB: Array) -> Array:
@@ -80,8 +91,12 @@ def _plain(r: Registration) -> dict[str, Any]:
         "residual": r.residual,
         "share": r.share,
         "offsets": r.offsets.tolist(),
-        "offset_sd": [[v if np.isfinite(v) else None for v in row] for row in r.offset_sd],
+        "offset_sd": [_numbers(row) for row in r.offset_sd],
     }
+
+
+def _numbers(row: Array) -> list[float | None]:
+    return [float(v) if np.isfinite(v) else None for v in row]
 
 
 def _registration(stored: dict[str, Any], n: int) -> Registration:
@@ -94,6 +109,18 @@ def _registration(stored: dict[str, Any], n: int) -> Registration:
         np.array(stored["offsets"], float).reshape(n, 3),
         np.array(offset_sd, float).reshape(n, 3),
     )
+
+
+def _number(stored: float | None) -> float:
+    return float("nan") if stored is None else float(stored)
+
+
+def _residuals(stored: dict[str, Any] | None, n: int) -> Array:
+    """(2, n) m; NaN in sessions of earlier versions."""
+    if stored is None:
+        return np.full((2, n), np.nan)
+    rows = [[_number(v) for v in stored[how]] for how in _REGISTRATIONS]
+    return np.array(rows, float).reshape(2, n)
 
 
 def described(text: str, session: Path) -> Described:
@@ -112,6 +139,9 @@ def described(text: str, session: Path) -> Described:
             Timing(**timing),
             _registration(stored["rigid"], len(keypoints)),
             _registration(stored["with_offsets"], len(keypoints)),
+            _residuals(stored.get("keypoint_residuals"), len(keypoints)),
+            _number(stored.get("covered")),
+            tuple(str(k) for k in stored.get("missing", ())),
         )
     except (ValueError, KeyError, TypeError, RecursionError) as error:
         raise FileError(notice("reference.damaged", session=session)) from error
@@ -153,11 +183,12 @@ def read_imported(reader: SessionReader) -> Imported:
 
 def write_with_reference(
     reader: SessionReader, out: Path, about: Described, stamp_ns: IntArray, points: Array,
-    force: bool = False,
+    force: bool = False, watch: Callable[[float], None] = lambda share: None,
 ) -> None:  # fmt: skip
     """Copy the session, with this reference of the reader's hand in place of an earlier one.
 
-    ``points`` (M, K, 3) m in G, of ``about.keypoints``. Raises FileError."""
+    ``points`` (M, K, 3) m in G, of ``about.keypoints``. ``watch`` receives the share done. Raises
+    FileError."""
     side = reader.info.side
     name = attachment_name(side)
     with whole_file(out, force, [reader.path]) as part:
@@ -173,7 +204,9 @@ def write_with_reference(
             both: list[Iterator[RawMessage | Out]] = [
                 theirs, _messages(reader, about, stamp_ns, points)
             ]  # fmt: skip
+            first, last = reader.span_ns
             for m in heapq.merge(*both, key=lambda m: m.log_time):
+                watch(min(max((m.log_time - first) / max(last - first, 1), 0.0), 1.0))
                 if isinstance(m, RawMessage):
                     copier.copy(m)
                 else:

@@ -69,9 +69,9 @@ def by_pulse(ours: Sequence[float], theirs: Sequence[float]) -> Timing:
     Raises FileError if no offset, or more than one, lets most of them match.
     """
     a, b = np.sort(np.asarray(ours, float)), np.sort(np.asarray(theirs, float))
-    for found, where in ((a, "the session"), (b, "the reference")):
+    for found, code in ((a, "reference.no_pulses"), (b, "reference.no_pulses_in_file")):
         if len(found) == 0:
-            raise FileError(notice("reference.no_pulses", where=where))
+            raise FileError(notice(code))
     pairs = _matching(a, b)
     x, y = b[pairs[:, 1]], a[pairs[:, 0]]
     if len(x) < 3:

@@ -7985,6 +7985,366 @@ change {}: {}</source>
       <translation>Die Hand wird gesendet und gelesen von {}.</translation>
     </message>
     <message>
+      <location filename="extensions/reference/window/accuracy_dialog.py" />
+      <source>Accuracy report</source>
+      <translation>Genauigkeitsbericht</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/accuracy_dialog.py" />
+      <source>Recordings</source>
+      <translation>Aufnahmen</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/accuracy_dialog.py" />
+      <source>&amp;Add…</source>
+      <translation>&amp;Hinzufügen…</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/accuracy_dialog.py" />
+      <source>&amp;Remove</source>
+      <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/accuracy_dialog.py" />
+      <source>Correct the markers' &amp;positions (marker offsets)</source>
+      <translation>Marker&amp;positionen korrigieren (Markerversatz)</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/accuracy_dialog.py" />
+      <source>Without &amp;names of recordings and participants</source>
+      <translation>Ohne &amp;Namen von Aufnahmen und Teilnehmenden</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/accuracy_dialog.py" />
+      <source>The largest errors. Double-click or Enter pauses the replay at the instant.</source>
+      <translation>Die größten Fehler. Doppelklick oder Eingabetaste hält die Wiedergabe an diesem Zeitpunkt an.</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/accuracy_dialog.py" />
+      <source>Largest errors</source>
+      <translation>Größte Fehler</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/accuracy_dialog.py" />
+      <source>Progress of the report</source>
+      <translation>Fortschritt des Berichts</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/accuracy_dialog.py" />
+      <source>&amp;Open the report</source>
+      <translation>Bericht ö&amp;ffnen</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/accuracy_dialog.py" />
+      <source>&amp;Cancel</source>
+      <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/accuracy_dialog.py" />
+      <source>&amp;Write report</source>
+      <translation>Bericht &amp;schreiben</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/accuracy_dialog.py" />
+      <source>Add recordings</source>
+      <translation>Aufnahmen hinzufügen</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/accuracy_dialog.py" />
+      <source>Writing the report…</source>
+      <translation>Der Bericht wird geschrieben…</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/accuracy_dialog.py" />
+      <source>Keypoint</source>
+      <translation>Schlüsselpunkt</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/accuracy_dialog.py" />
+      <source>Error (mm)</source>
+      <translation>Fehler (mm)</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/accuracy_dialog.py" />
+      <source>Claimed sd (mm)</source>
+      <translation>Angegebene Std.-Abw. (mm)</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/accuracy_dialog.py" />
+      <source>Cancelled. No report was written.</source>
+      <translation>Abgebrochen. Es wurde kein Bericht geschrieben.</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/extension.py" />
+      <source>Import re&amp;ference…</source>
+      <translation>Re&amp;ferenz importieren…</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/extension.py" />
+      <source>Accurac&amp;y report…</source>
+      <translation>Genauig&amp;keitsbericht…</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/extension.py" />
+      <source>Accuracy report…</source>
+      <translation>Genauigkeitsbericht…</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>Import a reference</source>
+      <translation>Referenz importieren</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>Residuals of the registration</source>
+      <translation>Residuen der Registrierung</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>Progress of the import</source>
+      <translation>Fortschritt des Imports</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>&amp;Import</source>
+      <translation>&amp;Importieren</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>Reading the file…</source>
+      <translation>Die Datei wird gelesen…</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>Save the mapping file</source>
+      <translation>Zuordnungsdatei speichern</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>Importing…</source>
+      <translation>Wird importiert…</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>Residual, rigid (mm)</source>
+      <translation>Residuum, starr (mm)</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>With marker offset (mm)</source>
+      <translation>Mit Markerversatz (mm)</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>Marker offset (mm)</source>
+      <translation>Markerversatz (mm)</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>C3D, TRC, Qualisys TSV, OptiTrack, Vicon, BVH</source>
+      <translation>C3D, TRC, Qualisys TSV, OptiTrack, Vicon, BVH</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>Reading {}</source>
+      <translation>{} wird gelesen</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>Importing {}</source>
+      <translation>{} wird importiert</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>Cancelled. Nothing was imported.</source>
+      <translation>Abgebrochen. Es wurde nichts importiert.</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>Writing {}</source>
+      <translation>{} wird geschrieben</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>Imported into {}.</source>
+      <translation>Importiert in {}.</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_form.py" />
+      <source>none: points are found by their names</source>
+      <translation>keine: Punkte werden an ihren Namen erkannt</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_form.py" />
+      <source>Time alignment</source>
+      <translation>Zeitabgleich</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_form.py" />
+      <source>all events; or their name, or a C3D channel</source>
+      <translation>alle Ereignisse; oder ihr Name oder ein C3D-Kanal</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_form.py" />
+      <source>Estimate the drift of the clocks</source>
+      <translation>Drift der Uhren schätzen</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_form.py" />
+      <source>Registration</source>
+      <translation>Registrierung</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_form.py" />
+      <source>Template…</source>
+      <translation>Vorlage…</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_form.py" />
+      <source>Write a mapping file with the points of this reference, and open it</source>
+      <translation>Eine Zuordnungsdatei mit den Punkten dieser Referenz schreiben und öffnen</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_form.py" />
+      <source>Recording:</source>
+      <translation>Aufnahme:</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_form.py" />
+      <source>&amp;Hand:</source>
+      <translation>&amp;Hand:</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_form.py" />
+      <source>&amp;Reference file:</source>
+      <translation>&amp;Referenzdatei:</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_form.py" />
+      <source>&amp;Mapping file:</source>
+      <translation>Z&amp;uordnungsdatei:</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_form.py" />
+      <source>&amp;Time alignment:</source>
+      <translation>&amp;Zeitabgleich:</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_form.py" />
+      <source>&amp;Pulses:</source>
+      <translation>&amp;Pulse:</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_form.py" />
+      <source>&amp;Start of the reference:</source>
+      <translation>&amp;Beginn der Referenz:</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_form.py" />
+      <source>Re&amp;gistration:</source>
+      <translation>Re&amp;gistrierung:</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_form.py" />
+      <source>Reference file</source>
+      <translation>Referenzdatei</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_form.py" />
+      <source>Mapping file</source>
+      <translation>Zuordnungsdatei</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_form.py" />
+      <source>from the file; or {}</source>
+      <translation>aus der Datei; oder {}</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_form.py" />
+      <source>Motion-capture recordings ({})</source>
+      <translation>Motion-Capture-Aufnahmen ({})</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_form.py" />
+      <source>Mapping files ({})</source>
+      <translation>Zuordnungsdateien ({})</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_form.py" />
+      <source>All files</source>
+      <translation>Alle Dateien</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/view_model.py" />
+      <source>By pulses</source>
+      <translation>Nach Pulsen</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/view_model.py" />
+      <source>Rigid, with marker offsets</source>
+      <translation>Starr, mit Markerversatz</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/view_model.py" />
+      <source>Rigid</source>
+      <translation>Starr</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/view_model.py" />
+      <source>None (coordinates of the session)</source>
+      <translation>Keine (Koordinaten der Sitzung)</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/view_model.py" />
+      <source>Registration: residual {:.1f} mm rigid, {:.1f} mm with marker offsets.</source>
+      <translation>Registrierung: Residuum starr {:.1f} mm, mit Markerversatz {:.1f} mm.</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/view_model.py" />
+      <source>With start time.</source>
+      <translation>Mit Startzeit.</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/view_model.py" />
+      <source>Without a start time.</source>
+      <translation>Ohne Startzeit.</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/view_model.py" />
+      <source>Time offset {:+.1f} ms</source>
+      <translation>Zeitversatz {:+.1f} ms</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/view_model.py" />
+      <source>{}: {:.1f} s at {:.6g} Hz, {} points, {} of {} keypoints.</source>
+      <translation>{}: {:.1f} s bei {:.6g} Hz, {} Punkte, {} von {} Schlüsselpunkten.</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/view_model.py" />
+      <source>{} and {} more</source>
+      <translation>{} und {} weitere</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/view_model.py" />
+      <source>, drift {:+.1f} ± {:.1f} ppm</source>
+      <translation>, Drift {:+.1f} ± {:.1f} ppm</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/view_model.py" />
+      <source>, residual {:.1f} ms</source>
+      <translation>, Residuum {:.1f} ms</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/view_model.py" />
+      <source>Pulses: {}.</source>
+      <translation>Pulse: {}.</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/view_model.py" />
+      <source>Without: {}.</source>
+      <translation>Es fehlen: {}.</translation>
+    </message>
+    <message>
       <location filename="extensions/robot/window/controls.py" />
       <source>Drive a simulated robot hand with the tracked hand</source>
       <translation>Eine simulierte Roboterhand mit der getrackten Hand steuern</translation>
@@ -8628,11 +8988,6 @@ change {}: {}</source>
       <location filename="extensions/touch/window/dialog.py" />
       <source>There is no report</source>
       <translation>Es gibt keinen Bericht</translation>
-    </message>
-    <message>
-      <location filename="extensions/touch/window/dialog.py" />
-      <source>Writing the report…</source>
-      <translation>Der Bericht wird geschrieben…</translation>
     </message>
     <message>
       <location filename="extensions/touch/window/dialog.py" />
@@ -11746,8 +12101,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>No pulse in {where}. The session needs events of the kind pulse, the reference events or a channel named with --pulse.</source>
-      <translation>Kein Puls in {where}. Die Sitzung benötigt Ereignisse der Art „pulse“, die Referenz Ereignisse oder einen mit --pulse genannten Kanal.</translation>
+      <source>The session does not contain events of the kind pulse.</source>
+      <translation>Die Sitzung enthält keine Ereignisse der Art „pulse“.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The reference does not contain events of this name. State the name of its events or of an analogue channel (--pulse).</source>
+      <translation>Die Referenz enthält keine Ereignisse dieses Namens. Geben Sie den Namen ihrer Ereignisse oder eines analogen Kanals an (--pulse).</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -11776,8 +12136,43 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>{session} does not contain a reference. Import one with glovetrack import-reference.</source>
-      <translation>{session} enthält keine Referenz. Importieren Sie eine mit glovetrack import-reference.</translation>
+      <source>{session} does not contain a reference. Import one (Replay, Import reference…, or glovetrack import-reference).</source>
+      <translation>{session} enthält keine Referenz. Importieren Sie eine (Wiedergabe, Referenz importieren… oder glovetrack import-reference).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The reference covers {share:.0f} % of the session. The remaining time is not evaluated.</source>
+      <translation>Die Referenz deckt {share:.0f} % der Sitzung ab. Die übrige Zeit wird nicht ausgewertet.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The drift of the clocks cannot be determined to 100 ppm and is taken as 0.</source>
+      <translation>Die Drift der Uhren lässt sich nicht auf 100 ppm bestimmen und wird als 0 angenommen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The time offset varies by {residual_ms:.1f} ms (rms) over the recording. Errors of fast movements contain this.</source>
+      <translation>Der Zeitversatz schwankt im Lauf der Aufnahme um {residual_ms:.1f} ms (RMS). Fehler schneller Bewegungen enthalten dies.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>After the registration, reference and session are {residual_mm:.0f} mm apart (rms). Check the names of the points, the unit, and that both recorded the same hand.</source>
+      <translation>Nach der Registrierung liegen Referenz und Sitzung {residual_mm:.0f} mm auseinander (RMS). Prüfen Sie die Namen der Punkte, die Einheit und ob beide dieselbe Hand aufgenommen haben.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The marker offsets of {keypoints:list} are known to {sd_mm:.0f} mm only. In the next recording, turn the hand about all axes.</source>
+      <translation>Der Markerversatz von {keypoints:list} ist nur auf {sd_mm:.0f} mm bekannt. Drehen Sie die Hand bei der nächsten Aufnahme um alle Achsen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{keypoints:list}: never or hardly measured by the glove. Their marker offsets are medians over the recording.</source>
+      <translation>{keypoints:list}: vom Handschuh nie oder kaum gemessen. Der Markerversatz ist jeweils der Median über die Aufnahme.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The replay draws the points of the reference instead of a hand, because of missing ones: {keypoints:list}.</source>
+      <translation>Die Wiedergabe zeichnet die Punkte der Referenz statt einer Hand, da Schlüsselpunkte fehlen: {keypoints:list}.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />

@@ -101,6 +101,7 @@ def test_other_commands_have_a_menu_of_their_own(window):
 
 
 def test_a_command_on_recordings_that_fails_is_reported(window, tmp_path):
-    assert list(window.library.page.actions_of)[1:3] == ["report", "count"]
+    added = list(window.library.page.actions_of)[1:4]
+    assert added == ["report", "reference_accuracy_of", "count"]
     window.library._actions["count"].run([tmp_path / "a.mcap", tmp_path / "b.mcap"])
     assert window.log.model.ends_with("Count failed: 2 of 0.")

@@ -15,11 +15,15 @@ PARTS = {
     "conformance": {"command conformance"},
     "movement": {"recordings report"},
     "openxr": {"panel openxr"},
+    "reference": {
+        "command reference_import", "command reference_accuracy",
+        "recordings reference_accuracy_of",
+    },
     "robot": {"panel robot"},
     "room": {"command room_tracker"},
     "study": {"command study"},
     "touch": {"command touch_test"},
-}
+}  # fmt: skip
 """What the window loses with each folder; nothing with the others."""
 HIDE = """
 import sys

@@ -62,9 +62,9 @@ class ReferenceTrack:
         found = self._last
         if found is None or is_hole(found.t - self._shift, t):
             return None
-        p, q = found.keypoints[self._rows], found.keypoint_q[self._rows]
-        if not (np.isfinite(p).all() and np.isfinite(q).all()):
+        if not np.isfinite(found.keypoints).all(axis=1).any():
             return None
+        p, q = found.keypoints[self._rows], found.keypoint_q[self._rows]
         return ReferenceHand(found.keypoints, so3.matrix_from_quat(q), p)
 
     def close(self) -> None:

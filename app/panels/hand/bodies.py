@@ -18,7 +18,7 @@ from app.viewmodels.hand_scene import (
     ribbon_faces,
 )
 from app.viewmodels.hand_skin import Draped, HandSkin
-from app.viewmodels.states import BLUISH_GREEN, GREY, ORANGE, PURPLE, SKY
+from app.viewmodels.states import BLUISH_GREEN, GREY, ORANGE, PURPLE, SKY, VERMILION
 from app.widgets.view3d.orbit import Orbit
 from app.widgets.view3d.scene import (
     BodyLook,
@@ -43,6 +43,8 @@ LIMIT = 0.015  # m; about half the distance to the next fingertip of a spread ha
 SEGMENTS = 40
 COLOUR = "#2F86BC"  # visible on both light and dark backgrounds
 WHOLE = BodyLook(COLOUR, line_width=1.5)
+CROSS_LENGTH = 0.012  # m
+CROSS = BodyLook(VERMILION, line_width=2.0)
 BROKEN = BodyLook(COLOUR, opacity=0.75, line_width=1.5)
 
 
@@ -81,6 +83,23 @@ def facing(orbit: Orbit) -> Array:
     return np.stack([right, orbit.up, orbit.direction], axis=1)
 
 
+class PointCrosses:
+    """A cross at each keypoint of a reference of which not the whole hand is known."""
+
+    def __init__(self, scene: BodyScene, points: int) -> None:
+        self._crosses = [scene.add(_cross(), CROSS) for _ in range(points)]
+        for body in self._crosses:
+            body.show(False)
+
+    def update(self, points: Array, wanted: bool) -> None:
+        """``points`` (K, 3) m, NaN where none is drawn."""
+        for body, point in zip(self._crosses, points, strict=True):
+            is_shown = wanted and bool(np.isfinite(point).all())
+            body.show(is_shown)
+            if is_shown:
+                body.move(np.eye(3), point)
+
+
 class HandBodies:
     """Mesh and outline of the hand, patches of the glove, fingertips, axes, trail and camera."""
 
@@ -90,6 +109,7 @@ class HandBodies:
         self._skin: HandSkin | None = None
         tips = sum(n.endswith("_tip") for n in setup.hand.keypoint_names)
         self._tips = TipRings(scene, tips)
+        self._points = PointCrosses(scene, len(setup.glove.keypoint_names(setup.hand)))
         self._frustum = _frustum(setup)
         self._camera = scene.add(self._frustum, BodyLook(SKY, line_width=1.5))
         self._axes = [
@@ -126,6 +146,7 @@ class HandBodies:
         if self._skin is not None:
             self._update_hand(self._skin, scene, show)
         self._tips.update(scene, show.uncertainty, orbit)
+        self._points.update(scene.reference_points, show.reference)
         self._update_axes(scene, show.axes)
         self._update_trail(scene, show.trail, orbit)
         corners = scene.p_GC + self._frustum.points @ scene.R_GC.T
@@ -175,6 +196,12 @@ class HandBodies:
         self._trail.show(there)
         if there:
             self._trail.drape(*ribbon(scene.trail, orbit.eye, rgb(PURPLE)))
+
+
+def _cross() -> Lines:
+    """Three lines through the origin."""
+    ends = CROSS_LENGTH / 2 * np.concatenate([np.eye(3), -np.eye(3)])
+    return Lines(ends, np.array([[0, 3], [1, 4], [2, 5]]))
 
 
 def drape(surface: DrawnSurface, draped: Draped) -> None:

@@ -187,6 +187,8 @@ class HandPanel(Panel):
         truth = setup.truth
         of_truth = self.tr("laboratory") if truth and truth.is_measured else self.tr("truth")
         self.controls.name_other(of_truth if truth is not None else "")
+        if truth is not None and truth.is_measured:
+            self.controls.show_reference(of_truth)
         if self.controls.engine:
             self._choose_reference(self.controls.engine)
         self.view.orbit.look_from(FIRST_LOOK)

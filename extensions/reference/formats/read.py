@@ -29,7 +29,7 @@ def read_reference(path: Path, mapping: PointMapping | None = None, pulse: str =
     mapping = mapping or PointMapping()
     if path.suffix.lower() == ".c3d":
         return read_c3d(path, pulse)
-    lines = _lines(path)
+    lines = read_lines(path)
     if mapping.table is not None:
         return read_table(path, lines, mapping.table, mapping.unit or _MILLIMETRE)
     first = next((line.strip() for line in lines if line.strip()), "")
@@ -46,7 +46,8 @@ def read_reference(path: Path, mapping: PointMapping | None = None, pulse: str =
     raise FileError(notice("reference.unknown_format", file=path))
 
 
-def _lines(path: Path) -> list[str]:
+def read_lines(path: Path) -> list[str]:
+    """The lines of a text file, in UTF-8 or a code page of Windows. Raises FileError."""
     try:
         data = read_bounded(path, MOST_BYTES, "a reference recording")
     except OSError as error:

@@ -12,12 +12,15 @@ from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation, Slerp
 
 from extensions.reference.tests.laboratory import FAULTY, markers, write_c3d
+from tests.gui.conftest import no_leaks, qtbot, store, window
 from tracker.cli import main
 from tracker.geometry import so3
 from tracker.messages import Array, Event, Validity
 from tracker.offline.simulate import SimulateOptions, build, truth_message
 from tracker.session.description import SessionInfo
 from tracker.session.writer import RecorderParams, SessionRecorder
+
+__all__ = ["no_leaks", "qtbot", "store", "window"]
 
 DURATION = 60.0  # s
 START = 0.5  # s of the simulation at the session's first estimate

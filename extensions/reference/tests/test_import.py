@@ -172,6 +172,7 @@ def test_pulses_give_offset_and_drift_though_some_are_missing() -> None:
     ("ours", "theirs", "code"),
     [
         ([], [1.0], "reference.no_pulses"),
+        ([1.0], [], "reference.no_pulses_in_file"),
         ([1.0, 2.0, 3.0, 4.0], [1.0, 2.0, 3.0], "reference.pulses_differ"),  # two offsets fit
         ([1.0, 2.0, 4.0], [1.0, 1.7, 5.0], "reference.pulses_differ"),
     ],

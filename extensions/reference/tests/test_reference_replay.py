@@ -9,8 +9,11 @@ from numpy.testing import assert_allclose
 
 from app.engines.replay.hands import known_hand
 from app.engines.replay.references import References, ReferenceTrack
+from app.window.main_window import MainWindow
 from extensions.reference.angles import segment_axes
+from extensions.reference.importing import ImportOptions, import_reference
 from extensions.reference.tests.conftest import START, Wearer
+from extensions.reference.tests.laboratory import FAULTY, write_c3d
 from tracker.geometry import so3
 from tracker.session.reader import SessionReader
 
@@ -33,6 +36,35 @@ def test_the_replay_has_the_reference_hand_at_its_time(wearer: Wearer, imported:
         assert np.linalg.norm(hand.keypoints - x[0], axis=1)[:21].max() < 0.02
         assert np.isfinite(hand.R_GB).all()
     references.close()
+
+
+def test_points_of_an_incomplete_reference_are_drawn(
+    wearer: Wearer, short: Path, tmp_path: Path, window: MainWindow, qtbot
+) -> None:
+    """Three keypoints as crosses; the whole hand cannot be drawn."""
+    names = ("wrist", "index_tip", "little_mcp")
+    rows = [wearer.info.keypoint_names.index(n) for n in names]
+    lab = write_c3d(tmp_path / "few.c3d", names, FAULTY.record(wearer, 19.0)[1][:, rows])
+    out = tmp_path / "out.mcap"
+    import_reference(lab, short, out, ImportOptions(register="rigid"))
+    window.sources.open_session(out, 10.0)
+    qtbot.waitUntil(lambda: _crosses(window) == 3, timeout=60_000)
+    scene = window.hand._hands[0].scene
+    assert scene is not None and scene.reference is None
+    known = np.flatnonzero(np.isfinite(scene.reference_points).all(axis=1))
+    assert known.tolist() == sorted(rows)
+    x, _ = wearer.points(np.array([10.0]))
+    away = np.linalg.norm(scene.reference_points - x[0], axis=1)[known]
+    assert away.max() < 0.02  # as above
+    window.hand.controls.reference.setCurrentIndex(0)
+    qtbot.waitUntil(lambda: _crosses(window) == 0, timeout=60_000)
+
+
+def _crosses(window: MainWindow) -> int:
+    """How many crosses the 3D view shows."""
+    if not window.hand._hands or window.hand._hands[0].bodies is None:
+        return 0
+    return sum(body.shown for body in window.hand._hands[0].bodies._points._crosses)
 
 
 def test_a_session_without_a_reference_has_none(short: Path) -> None:

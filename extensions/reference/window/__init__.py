@@ -1,0 +1,1 @@
+"""Import of references and the accuracy report in the window."""

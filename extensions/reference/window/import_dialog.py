@@ -1,0 +1,246 @@
+"""The dialog that adds a motion-capture recording to the open session."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QEvent, QUrl
+from PySide6.QtGui import QDesktopServices
+from PySide6.QtWidgets import (
+    QDialog,
+    QFileDialog,
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QVBoxLayout,
+)
+
+from app.engines.engine import EngineSetup
+from app.panels.command_kind import CommandContext
+from app.platform.tasks import RunningJob
+from app.widgets.measures import APART, WIDE
+from app.wizards.sizing import fit_to_screen
+from app.words import notice_text
+from extensions.reference.window.import_form import ImportForm
+from extensions.reference.window.jobs import (
+    Answer,
+    ImportedSession,
+    ReferenceFile,
+    import_job,
+    recognise_job,
+    template_job,
+)
+from extensions.reference.window.row_table import RowTable
+from extensions.reference.window.view_model import (
+    recognised_text,
+    remark_text,
+    residual_rows,
+    result_text,
+)
+
+SIZE = 760, 680
+STEPS, TABLE_STRETCH = 1000, 100
+
+
+class ImportDialog(QDialog):
+    """Shows what the chosen file contains, imports it, and opens the new session."""
+
+    def __init__(self, on: CommandContext, setup: EngineSetup) -> None:
+        super().__init__(on.window)
+        assert setup.player is not None
+        self._on, self._session = on, setup.player.path
+        self._asked = 0
+        self._read: tuple[ReferenceFile | None, tuple[float, ...]] = None, ()
+        self._job: RunningJob | None = None
+        self._is_ready = self._is_answered = False
+        self.setObjectName("reference_import")
+        self.setWindowTitle(self.tr("Import a reference"))
+        self.form = ImportForm(setup, self._session)
+        self.form.changed.connect(self._look)
+        self.form.template_asked.connect(self._ask_template)
+        self._lay_out()
+        fit_to_screen(self, *SIZE)
+        self._show_running(False)
+        self.recognise()
+
+    def _lay_out(self) -> None:
+        self.words = QLabel()
+        self.words.setWordWrap(True)
+        self.table = RowTable(
+            [
+                self.tr("Keypoint"), self.tr("Residual, rigid (mm)"),
+                self.tr("With marker offset (mm)"), self.tr("Marker offset (mm)"),
+            ],
+            self.tr("Residuals of the registration"),
+        )  # fmt: skip
+        self.progress = QProgressBar()
+        self.progress.setMaximum(STEPS)
+        self.progress.setAccessibleName(self.tr("Progress of the import"))
+        column = QVBoxLayout(self)
+        column.setContentsMargins(WIDE, APART, WIDE, APART)
+        column.setSpacing(APART)
+        column.addWidget(self.form)
+        column.addWidget(self.words)
+        column.addWidget(self.table, TABLE_STRETCH)
+        column.addStretch(1)  # while the table is hidden
+        column.addWidget(self.progress)
+        column.addLayout(self._buttons())
+        self.table.hide()
+
+    def _buttons(self) -> QHBoxLayout:
+        self.import_button = QPushButton(self.tr("&Import"))
+        self.import_button.setProperty("role", "primary")
+        self.import_button.setDefault(True)
+        self.import_button.clicked.connect(self.start)
+        self.cancel_button = QPushButton(self.tr("&Cancel"))
+        self.cancel_button.clicked.connect(self._cancel)
+        close = QPushButton(self.tr("Close"))
+        close.clicked.connect(self.close)
+        row = QHBoxLayout()
+        row.addStretch(1)
+        for button in (close, self.cancel_button, self.import_button):
+            button.setAutoDefault(button is self.import_button)
+            row.addWidget(button)
+        return row
+
+    # --- the file
+
+    def _look(self) -> None:
+        """Read the file again if another one was chosen, or this one has changed."""
+        if self._read != (self.form.file(), self._times()):
+            self.recognise()
+
+    def recognise(self) -> None:
+        """Read the chosen file in the background and show what it contains."""
+        file = self.form.file()
+        self._asked += 1
+        self._is_ready = False
+        self._enable()
+        self.form.template_button.setEnabled(file is not None)
+        if file is None:
+            self._read = None, ()
+            self.form.recognised.setText(self.tr("C3D, TRC, Qualisys TSV, OptiTrack, Vicon, BVH"))
+            return
+        self._read = file, self._times()
+        self.form.recognised.setText(self.tr("Reading the file…"))
+        title = self.tr("Reading {}").format(file.path.name)
+        self._on.tasks.run(title, recognise_job(self._asked, file), self._recognised)
+
+    def _times(self) -> tuple[float, ...]:
+        """When the chosen files were changed."""
+        paths = (self.form.path, self.form.mapping_path)
+        return tuple(_changed(path) for path in paths if path is not None)
+
+    def _recognised(self, answer: Answer) -> None:
+        if answer.number != self._asked:
+            return
+        found, label = answer.found, self.form.recognised
+        if found is None:
+            assert answer.problem is not None
+            label.setText(notice_text(answer.problem))
+            return
+        label.setText(recognised_text(found))
+        self.form.show_clock(found.has_clock)
+        self._is_ready = found.problem is None
+        self._enable()
+
+    def event(self, event: QEvent) -> bool:
+        """Read files again that were changed in another program."""
+        if event.type() == QEvent.Type.WindowActivate and self._job is None:
+            self._look()
+        return super().event(event)
+
+    def _ask_template(self) -> None:
+        file = self.form.file()
+        if file is None:
+            return
+        name = file.path.with_suffix(".toml")
+        path, _ = QFileDialog.getSaveFileName(
+            self, self.tr("Save the mapping file"), str(name), "*.toml"
+        )
+        if path:
+            self.write_template(Path(path))
+
+    def write_template(self, path: Path) -> None:
+        """Write a mapping file to begin with, use it, and open it in an editor."""
+        file = self.form.file()
+        if file is not None:
+            title = self.tr("Writing {}").format(path.name)
+            job = template_job(file, path)
+            self._on.tasks.run(title, job, self._template_written, failed=self._show_problem)
+
+    def _template_written(self, path: Path) -> None:
+        self.form.mapping.setText(str(path))
+        self.recognise()
+        QDesktopServices.openUrl(QUrl.fromLocalFile(str(path)))
+
+    # --- the import
+
+    def start(self) -> None:
+        """Import in the background."""
+        reference = self.form.path
+        if reference is None or self._job is not None:
+            return
+        self._is_answered = False
+        self.table.hide()
+        self.words.setText(self.tr("Importing…"))
+        title = self.tr("Importing {}").format(reference.name)
+        self._job = self._on.tasks.run(
+            title,
+            import_job(reference, self._session, self.form.options()),
+            self._done,
+            self._ended,
+            self._progressed,
+            self._show_problem,
+        )
+        self._show_running(True)
+
+    def _progressed(self, share: float, _text: str) -> None:
+        self.progress.setValue(round(STEPS * share))
+
+    def _done(self, made: ImportedSession) -> None:
+        """Show the result and open the new session."""
+        self._is_answered = True
+        lines = [self.tr("Imported into {}.").format(made.path.name), result_text(made.about)]
+        lines += [remark_text(remark) for remark in made.remarks]
+        self.words.setText("\n".join(lines))
+        self.table.show_rows(residual_rows(made.about))
+        self.table.show()
+        self._on.open_session(made.path, None)
+
+    def _show_problem(self, text: str) -> None:
+        self._is_answered = True
+        self.words.setText(text)
+
+    def _ended(self) -> None:
+        self._job = None
+        self._show_running(False)
+        if not self._is_answered:
+            self.words.setText(self.tr("Cancelled. Nothing was imported."))
+
+    def _show_running(self, on: bool) -> None:
+        self.progress.setValue(0)
+        self.progress.setVisible(on)
+        self.cancel_button.setVisible(on)
+        self.form.setEnabled(not on)
+        self._enable()
+
+    def _enable(self) -> None:
+        self.import_button.setEnabled(self._is_ready and self._job is None)
+
+    def _cancel(self) -> None:
+        if self._job is not None:
+            self._job.cancel()
+
+    def done(self, result: int) -> None:
+        """Close; an import that is running is cancelled."""
+        self._cancel()
+        super().done(result)
+
+
+def _changed(path: Path) -> float:
+    try:
+        return path.stat().st_mtime
+    except OSError:
+        return 0.0
