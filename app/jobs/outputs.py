@@ -5,6 +5,7 @@ Each stream is attached to the engine separately, so that it can be switched wit
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, replace
 from functools import partial
@@ -23,6 +24,7 @@ from app.storage.settings import SettingsStore, sessions_folder
 from tracker.base.files import free_path
 from tracker.base.notices import Notice, warning
 from tracker.messages import Event, Validity
+from tracker.streaming.apart import ApartFeed, ApartStream, StreamsProcess
 from tracker.streaming.attach import Attachment, attach
 from tracker.streaming.connection import HOST, key_of
 from tracker.streaming.haptics import HapticPublisher, Sphere
@@ -77,6 +79,62 @@ class HandsOutput:
             part.close()
 
 
+class ApartOutput:
+    """As `HandsOutput`, but sent by the process of the streams."""
+
+    def __init__(self, stream: ApartStream, feed: Feed) -> None:
+        self._stream, self._feed = stream, feed
+        self._fed = False
+        self.title = stream.titles[0]
+
+    def attach(self, report: Callable[[Notice], None]) -> None:
+        """Send every estimate from now on; ``report`` is called in another thread."""
+        self._fed = True
+        self._feed.begin()
+        self._stream.start(report)
+
+    def counts(self) -> StreamCounts:
+        return of_all_hands(self._stream.counts())
+
+    def test(self) -> Notice:
+        """Whether a program receives it; may take a second."""
+        return self._stream.test()
+
+    def close(self) -> None:
+        """Waits until pending data have been sent."""
+        self._stream.close()
+        if self._fed:
+            self._fed = False
+            self._feed.end()
+
+
+class Feed:
+    """Passes the estimates of an engine's hands to the process while any stream needs them."""
+
+    def __init__(self, setup: EngineSetup, process: StreamsProcess) -> None:
+        self._setup, self._process = setup, process
+        self._lock, self._users = threading.Lock(), 0
+        self._attached: list[Attachment] = []
+
+    def begin(self) -> None:
+        with self._lock:
+            self._users += 1
+            if self._users == 1:
+                self._attached = [
+                    attach(hand.tracked, [ApartFeed(self._process, k)])
+                    for k, hand in enumerate(self._setup.hands)
+                ]
+
+    def end(self) -> None:
+        with self._lock:
+            self._users -= 1
+            ending, self._attached = (
+                (self._attached, []) if not self._users else ([], self._attached)
+            )
+        for part in ending:
+            part.close()
+
+
 class Outputs(Connections[StreamKind[Any], StreamSettings]):
     """Follows the session: streams that are switched on are open while an engine runs."""
 
@@ -93,7 +151,12 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
         super().__init__(stream_kinds(), settings, store, "streams", parent)
         self._host, self._tasks = host, tasks
         self.rule = remembered(HapticRule, store.value.haptics)
-        self._openings: Openings[HandsOutput] = Openings(tasks, self.changed.emit)
+        self.apart = False
+        """Whether streams are sent by a process of their own, which takes a second to start."""
+        self._process: StreamsProcess | None = None
+        self._feed: tuple[EngineSetup, Feed] | None = None
+        self._starting = threading.Lock()
+        self._openings: Openings[HandsOutput | ApartOutput] = Openings(tasks, self.changed.emit)
         self.problems = self._openings.problems
         self.wanted.connect(self._apply)
         host.running_changed.connect(lambda _on: self._apply_all())
@@ -199,14 +262,31 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
             return None
         return setup if name != HAPTICS or setup.connection.device is not None else None
 
-    def _made(self, name: str, setup: EngineSetup) -> HandsOutput:
+    def _made(self, name: str, setup: EngineSetup) -> HandsOutput | ApartOutput:
         """Open one stream. Raises StreamError."""
-        return HandsOutput(setup, self._publishers(name, setup))
-
-    def _publishers(self, name: str, setup: EngineSetup) -> list[Publisher]:
         if name == HAPTICS:
             sphere = Sphere(np.array(self.rule.center), self.rule.radius)
-            return [_haptic(hand, sphere) for hand in setup.hands]
+            return HandsOutput(setup, [_haptic(hand, sphere) for hand in setup.hands])
+        kind, options, hands = self._wanted_stream(name, setup)
+        if not self.apart:
+            return HandsOutput(setup, open_stream(kind, options, hands))
+        process, feed = self._process_for(setup)
+        return ApartOutput(process.open(kind.name, options, hands), feed)
+
+    def _process_for(self, setup: EngineSetup) -> tuple[StreamsProcess, Feed]:
+        """The process, which is started if necessary, and what feeds it with this engine's hands.
+        Called in threads of jobs."""
+        with self._starting:
+            if self._process is None or self._process.ended:
+                self._process, self._feed = StreamsProcess(), None
+            if self._feed is None or self._feed[0].engine is not setup.engine:
+                self._feed = setup, Feed(setup, self._process)
+            return self._process, self._feed[1]
+
+    def _wanted_stream(
+        self, name: str, setup: EngineSetup
+    ) -> tuple[StreamKind[Any], Any, list[Names]]:
+        """The stream with its options and hands."""
         kind, settings = self.kinds[name], self.settings
         if kind.default_file:
             path = self.file(name)
@@ -215,9 +295,9 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
         hands = [
             Names.of(hand.hand, hand.glove, settings.joints, hand.anchor) for hand in setup.hands
         ]
-        return open_stream(kind, settings.options(kind), hands)
+        return kind, settings.options(kind), hands
 
-    def _attach(self, setup: EngineSetup | None, output: HandsOutput) -> bool:
+    def _attach(self, setup: EngineSetup | None, output: HandsOutput | ApartOutput) -> bool:
         """False if another engine is running by now."""
         now = self._host.setup
         if setup is None or now is None or now.engine is not setup.engine:
@@ -236,6 +316,9 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
     def shut_down(self) -> None:
         """After the last job: close all streams."""
         self._openings.shut_down()
+        if self._process is not None:
+            self._process.close()
+            self._process = None
 
 
 def _haptic(setup: EngineSetup, sphere: Sphere) -> Publisher:

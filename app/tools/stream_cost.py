@@ -38,6 +38,7 @@ if TYPE_CHECKING:
 
 NOT_HERE = ("opengloves",)  # a pipe of Windows
 SETTLE_S = 2.0  # after switching, before a turn counts
+SWITCH_WAIT = 120.0  # s for all streams to open or close, on a loaded computer
 LOOK_S = 4.0  # the latencies that the engine stores are those of so many seconds
 MEDIAN, HIGH = "latency_imu_ms", "latency_imu_p99_ms"
 
@@ -56,6 +57,7 @@ class Cost:
     """``off`` and ``on`` alternate. Quotients of on and off, and their least and largest."""
 
     streams: list[str]
+    apart: bool
     off: list[Turn] = field(default_factory=list)
     on: list[Turn] = field(default_factory=list)
     received: dict[str, int] = field(default_factory=dict)
@@ -79,6 +81,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser.add_argument("--turns", type=int, default=6, help="pairs of turns (default: 6)")
     parser.add_argument("--seconds", type=float, default=12.0, help="length of a turn, s")
     parser.add_argument("--fps", type=float, default=30.0, help="frame rate, Hz (default: 30)")
+    parser.add_argument(
+        "--together", action="store_true", help="streams in the window's process, not in their own"
+    )
     parser.add_argument("--streams", default="", help="names with commas (default: all)")
     parser.add_argument("--json", type=Path, default=None, help="file for the results")
     add_force(parser)
@@ -90,7 +95,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     assert isinstance(app, QApplication)
     with tempfile.TemporaryDirectory() as folder:
         names = [name for name in args.streams.split(",") if name]
-        cost = measure(args.turns, args.seconds, args.fps, names, Path(folder))
+        turns = args.turns, args.seconds
+        cost = measure(turns, args.fps, names, not args.together, Path(folder))
     text = json.dumps(asdict(cost), indent=2)
     print(text)
     if args.json is not None:
@@ -98,8 +104,11 @@ def main(argv: Sequence[str] | None = None) -> int:
     return 0
 
 
-def measure(turns: int, seconds: float, fps: float, names: Sequence[str], folder: Path) -> Cost:
-    """Opens the demo in the window; ``names``: the streams, all of them if it is empty."""
+def measure(
+    turns: tuple[int, float], fps: float, names: Sequence[str], apart: bool, folder: Path
+) -> Cost:
+    """Opens the demo in the window; ``turns``: their number and length (s); ``names``: the streams,
+    all of them if it is empty; ``apart``: in a process of their own."""
     choice = DemoChoice(fps)
     camera = start_camera(choice=choice)
     from app.storage.settings import SettingsStore
@@ -116,7 +125,8 @@ def measure(turns: int, seconds: float, fps: float, names: Sequence[str], folder
     known = [name for name in window.outputs.kinds if name not in NOT_HERE]
     try:
         window.host.open("demo", demo_factory(choice, camera=camera))
-        return _alternate(window, Cost(list(names) or known), turns, seconds)
+        window.outputs.apart = apart
+        return _alternate(window, Cost(list(names) or known, apart), *turns)
     finally:
         window.close()
 
@@ -173,7 +183,9 @@ def _switch(window: MainWindow, names: Sequence[str], on: bool) -> None:
     outputs = window.outputs
     for name in names:
         outputs.switch(name, on)
-    if not wait_until(lambda: all((outputs.counts(n) is not None) == on for n in names), 30.0):
+    if not wait_until(
+        lambda: all((outputs.counts(n) is not None) == on for n in names), SWITCH_WAIT
+    ):
         raise SystemExit(f"The streams could not be switched: {outputs.problems}.")
 
 

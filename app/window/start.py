@@ -146,6 +146,7 @@ def _show(
     from app.window.main_window import MainWindow  # deferred: after the camera has started
 
     window = MainWindow(store, crashes)
+    window.outputs.apart = True
     instance.asked.connect(window.sources.take_over)
     close_on_signals(window)
     keep_pauses_short(window.host)

@@ -5912,7 +5912,7 @@ change {}: {}</source>
     <message>
       <location filename="app/window/ticker.py" />
       <source>Paused</source>
-      <translation>Angehalten</translation>
+      <translation>Pause</translation>
     </message>
     <message>
       <location filename="app/window/ticker.py" />
@@ -7562,7 +7562,7 @@ change {}: {}</source>
     <message>
       <location filename="extensions/conformance/window/guide/result.py" />
       <source>Checking the recording…</source>
-      <translation>Die Aufnahme wird geprüft…</translation>
+      <translation>Aufnahme wird geprüft …</translation>
     </message>
     <message>
       <location filename="extensions/conformance/window/guide/result.py" />
@@ -11773,6 +11773,16 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>The {kind} server cannot start at {host}:{port}: {why}.</source>
       <translation>Der Server {kind} kann an {host}:{port} nicht starten: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The process of the streams has ended. Switch the streams on again.</source>
+      <translation>Der Prozess der Streams ist beendet. Schalten Sie die Streams erneut ein.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The process of the streams does not answer.</source>
+      <translation>Der Prozess der Streams antwortet nicht.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />

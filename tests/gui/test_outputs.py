@@ -45,7 +45,7 @@ def received(qtbot, listener) -> dict:
             got.append(listener.recv(65536))
         return got != []
 
-    qtbot.waitUntil(look, timeout=10_000)
+    qtbot.waitUntil(look, timeout=60_000)
     return json.loads(got[0])
 
 
@@ -114,7 +114,13 @@ def test_the_recipients_of_lab_streaming_layer_are_named_next_to_its_switch(pane
     assert panel.boxes["udp"].toolTip() == ""
 
 
-def test_a_stream_is_switched_on_received_counted_and_off(panel, window, listener, qtbot):
+APART = pytest.mark.parametrize("apart", [False, True], ids=["together", "apart"])
+"""Streams in the window's process, and in their own as the program has them."""
+
+
+@APART
+def test_a_stream_is_switched_on_received_counted_and_off(panel, window, listener, qtbot, apart):
+    window.outputs.apart = apart
     panel.ports["udp"].setValue(listener.getsockname()[1])
     panel.boxes["udp"].click()
     message = received(qtbot, listener)
@@ -122,12 +128,12 @@ def test_a_stream_is_switched_on_received_counted_and_off(panel, window, listene
     assert message["keypoints"]["wrist"]["position"] == pytest.approx(
         estimate.keypoints[0].tolist(), abs=1e-6
     )
-    qtbot.waitUntil(lambda: "sending" in panel.cells["udp"]["state"].text(), timeout=10_000)
-    qtbot.waitUntil(lambda: sent(panel, "udp") >= 1, timeout=10_000)
+    qtbot.waitUntil(lambda: "sending" in panel.cells["udp"]["state"].text(), timeout=60_000)
+    qtbot.waitUntil(lambda: sent(panel, "udp") >= 1, timeout=60_000)
     assert re.fullmatch(r"\d+ \(\d+ Hz\)", panel.cells["udp"]["sent"].text())
     panel.boxes["udp"].click()
-    qtbot.waitUntil(lambda: panel.cells["udp"]["sent"].text() == "–", timeout=10_000)
-    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=10_000)
+    qtbot.waitUntil(lambda: panel.cells["udp"]["sent"].text() == "–", timeout=60_000)
+    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=60_000)
 
 
 def test_enabled_streams_run_again_after_the_next_start(panel, window, store, listener, qtbot):
@@ -228,31 +234,33 @@ def test_invalid_stored_settings_are_replaced_by_the_default():
     assert remembered(HapticRule, {"center": [1, 2.5, 3]}).center == (1.0, 2.5, 3.0)
 
 
-def test_the_test_button_shows_whether_a_program_receives(panel, window, listener, qtbot):
+@APART
+def test_the_test_button_shows_whether_a_program_receives(panel, window, listener, qtbot, apart):
     """For UDP only a rejection is known; for a server the number of clients."""
+    window.outputs.apart = apart
     panel.ports["udp"].setValue(listener.getsockname()[1])
     panel.tests["udp"].click()
     assert "switch it on" in panel.result.text()
     panel.boxes["udp"].click()
-    qtbot.waitUntil(lambda: sent(panel, "udp") > 0, timeout=10_000)
+    qtbot.waitUntil(lambda: sent(panel, "udp") > 0, timeout=60_000)
     panel.tests["udp"].click()
-    qtbot.waitUntil(lambda: "UDP sends no answer" in panel.result.text(), timeout=10_000)
+    qtbot.waitUntil(lambda: "UDP sends no answer" in panel.result.text(), timeout=60_000)
     listener.close()
     panel.tests["udp"].click()
-    qtbot.waitUntil(lambda: "port unreachable" in panel.result.text(), timeout=10_000)
+    qtbot.waitUntil(lambda: "port unreachable" in panel.result.text(), timeout=60_000)
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
     window.outputs.set_option("hts", "transport", "server")
     panel.ports["hts"].setValue(port)
     panel.boxes["hts"].click()
-    qtbot.waitUntil(lambda: sent(panel, "hts") > 0, timeout=10_000)
+    qtbot.waitUntil(lambda: sent(panel, "hts") > 0, timeout=60_000)
     panel.tests["hts"].click()
-    qtbot.waitUntil(lambda: "no program is connected" in panel.result.text(), timeout=10_000)
+    qtbot.waitUntil(lambda: "no program is connected" in panel.result.text(), timeout=60_000)
     with socket.create_connection(("127.0.0.1", port)):
-        qtbot.waitUntil(lambda: panel.cells["hts"]["clients"].text() == "1", timeout=10_000)
+        qtbot.waitUntil(lambda: panel.cells["hts"]["clients"].text() == "1", timeout=60_000)
         panel.tests["hts"].click()
-        qtbot.waitUntil(lambda: "received by 1" in panel.result.text(), timeout=10_000)
+        qtbot.waitUntil(lambda: "received by 1" in panel.result.text(), timeout=60_000)
 
 
 def test_options_are_set_in_a_form_and_stored(panel, window, store, qtbot):

@@ -95,8 +95,12 @@ class Streams:
         self._outputs = [_Output(p, report, give) for p in publishers]
         self._offered = 0
 
-    def offer(self, estimate: Estimate) -> None:
-        """Leave an estimate for every output; never waits. From one thread at a time."""
+    def offer(self, estimate: Estimate, number: int | None = None) -> None:
+        """Leave an estimate for every output; never waits. From one thread at a time.
+
+        ``number``: its number, if estimates before it may be missing.
+        """
+        self._offered = self._offered if number is None else number
         for output in self._outputs:
             output.queue.put((self._offered, estimate))
         self._offered += 1

@@ -38,6 +38,8 @@ TEXTS = {
     "stream.joints": 'Joints can be {known:or}, not "{value}".',
     "stream.publishers": "The {kind} stream made {made} publishers for {hands} hands.",
     "stream.server_not_started": "The {kind} server cannot start at {host}:{port}: {why}.",
+    "stream.process_ended": "The process of the streams has ended. Switch the streams on again.",
+    "stream.process_silent": "The process of the streams does not answer.",
     "stream.test_off": "{stream}: switch it on and start tracking, then test it.",
     "stream.test_clients": "{stream}: received by {count} connected programs.",
     "stream.test_no_client": "{stream}: no program is connected.",

@@ -1,0 +1,31 @@
+"""The page of wishes and their answers: every test that it names exists, and its figures agree."""
+
+from __future__ import annotations
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+PAGE = ROOT / "docs" / "integrations.md"
+TEST = re.compile(r"`([\w/]+\.py)::(test_\w+)`")
+ROWS = [line for line in PAGE.read_text("utf-8").splitlines() if TEST.search(line)]
+NAMED = sorted({found for line in ROWS for found in TEST.findall(line)})
+
+
+def names_of(path: Path) -> set[str]:
+    tree = ast.parse(path.read_text("utf-8"))
+    return {node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)}
+
+
+@pytest.mark.parametrize(("path", "name"), NAMED, ids=[name for _, name in NAMED])
+def test_a_named_test_exists(path: str, name: str) -> None:
+    assert name in names_of(ROOT / path)
+
+
+def test_every_answer_has_a_test() -> None:
+    table = [line for line in PAGE.read_text("utf-8").splitlines() if line.startswith("| ")][1:]
+    answers = [line for line in table if not line.startswith("|---")]
+    assert len(answers) == len(ROWS) >= 17

@@ -1,0 +1,182 @@
+"""Outputs in a process of their own, so that encoding never delays tracking.
+
+All threads of a process share Python's lock. Ten outputs that each encode 100 estimates a second
+would hold it for most of the time. `StreamsProcess` sends each estimate once, to a process that
+encodes and sends what the streams need; `tracker.streaming.apart_child` is what runs there.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import itertools
+import logging
+import threading
+from collections.abc import Callable, Sequence
+from concurrent.futures import Future
+from concurrent.futures import TimeoutError as FutureTimeout
+from typing import Any
+
+from tracker.base.child import start_child
+from tracker.base.notices import Notice, failure
+from tracker.messages import Estimate
+from tracker.streaming.apart_child import serve
+from tracker.streaming.apart_messages import Answered, Asked, Counted, Reported, Sent
+from tracker.streaming.connection import StreamError
+from tracker.streaming.publisher import Names
+from tracker.streaming.streams import StreamCounts
+
+START_WAIT = 60.0  # s for the process to import what a stream needs, on a loaded computer
+ANSWER_WAIT = 15.0  # s for a test or the end of a stream
+END_WAIT = 3.0  # s for the process to end by itself
+ENDED = "stream.process_ended"
+_log = logging.getLogger(__name__)
+
+
+class StreamsProcess:
+    """The process; methods may be called from any thread. `feed` never waits for it."""
+
+    def __init__(self) -> None:
+        self._pipe, self._process = start_child("glovetrack-streams", serve)
+        self._sending = threading.Lock()
+        self._numbers, self._keys = itertools.count(1), itertools.count(1)
+        self._waiting: dict[int, Future[Any]] = {}
+        self._counts: dict[int, tuple[StreamCounts, ...]] = {}
+        self._reports: dict[int, Callable[[Notice], None]] = {}
+        self.ended = False
+        self._thread = threading.Thread(target=self._read, name="glovetrack-streams-answers")
+        self._thread.daemon = True
+        self._thread.start()
+
+    @property
+    def pid(self) -> int:
+        return self._process.pid or 0
+
+    def open(self, kind: str, options: Any, hands: Sequence[Names]) -> ApartStream:
+        """A stream of this kind. Raises StreamError."""
+        key = next(self._keys)
+        titles = self.ask("open", key, (kind, options, tuple(hands)), START_WAIT)
+        return ApartStream(self, key, titles)
+
+    def send(self, hand: int, estimate: Estimate) -> None:
+        """Pass on an estimate; may wait for the process to take it. Raises StreamError."""
+        self._send(Sent(hand, estimate))
+
+    def ask(self, do: str, key: int, data: Any = None, wait: float = ANSWER_WAIT) -> Any:
+        """The answer to a request. Raises StreamError."""
+        number, future = next(self._numbers), Future[Any]()
+        self._waiting[number] = future
+        try:
+            self._send(Asked(number, do, key, data))
+            return future.result(wait)
+        except FutureTimeout as error:
+            raise StreamError(failure("stream.process_silent")) from error
+        finally:
+            self._waiting.pop(number, None)
+
+    def tell(self, do: str, key: int) -> None:
+        """A request without an answer."""
+        with contextlib.suppress(StreamError):  # the counts say that it has ended
+            self._send(Asked(0, do, key))
+
+    def counts(self, key: int) -> tuple[StreamCounts, ...]:
+        """Of one stream, of each hand; at most half a second old."""
+        return self._counts.get(key, ())
+
+    def listen(self, key: int, report: Callable[[Notice], None]) -> None:
+        """Call ``report`` in another thread with what the stream reports."""
+        self._reports[key] = report
+
+    def forget(self, key: int) -> None:
+        self._reports.pop(key, None)
+        self._counts.pop(key, None)
+
+    def close(self) -> None:
+        """End the process; all its streams are closed."""
+        if not self.ended:
+            with contextlib.suppress(StreamError):  # it has ended by itself
+                self._send(None)
+        self._process.join(END_WAIT)
+        if self._process.is_alive():
+            self._process.kill()
+            self._process.join()
+        self._thread.join()
+
+    def _send(self, item: object) -> None:
+        with self._sending:
+            if self.ended:
+                raise StreamError(failure(ENDED))
+            try:
+                self._pipe.send(item)
+            except (OSError, ValueError) as error:
+                raise StreamError(failure(ENDED)) from error
+
+    def _read(self) -> None:
+        try:
+            while True:
+                self._take(self._pipe.recv())
+        except (EOFError, OSError):
+            self.ended = True
+            for future in list(self._waiting.values()):
+                future.set_exception(StreamError(failure(ENDED)))
+            self._pipe.close()
+
+    def _take(self, item: object) -> None:
+        if isinstance(item, Counted):
+            self._counts = item.counts
+        elif isinstance(item, Reported):
+            report = self._reports.get(item.key)
+            if report is not None:
+                report(item.what)
+        elif isinstance(item, Answered):
+            future = self._waiting.get(item.number)
+            if future is not None and item.problem is not None:
+                future.set_exception(StreamError(item.problem))
+            elif future is not None:
+                future.set_result(item.result)
+
+
+class ApartStream:
+    """One stream in the process; ``titles`` are the names of its publishers."""
+
+    def __init__(self, process: StreamsProcess, key: int, titles: Sequence[str]) -> None:
+        self._process, self._key, self.titles = process, key, tuple(titles)
+
+    def start(self, report: Callable[[Notice], None]) -> None:
+        """Send every estimate that is fed from now on; ``report`` is called in another thread."""
+        self._process.listen(self._key, report)
+        self._process.tell("start", self._key)
+
+    def counts(self) -> tuple[StreamCounts, ...]:
+        """Of each hand."""
+        found = self._process.counts(self._key)
+        if self._process.ended:
+            ended = str(StreamError(failure(ENDED)))
+            return tuple(StreamCounts(title, 0, 0, 0, ended) for title in self.titles)
+        return found or tuple(StreamCounts(title, 0, 0, 0, "") for title in self.titles)
+
+    def test(self) -> Notice:
+        """Whether a program receives it. Raises StreamError."""
+        found: Notice = self._process.ask("test", self._key)
+        return found
+
+    def close(self) -> None:
+        """Waits until pending data have been sent. May be called again."""
+        if not self._process.ended:
+            try:
+                self._process.ask("close", self._key)
+            except StreamError as error:
+                _log.info("%s", error)
+        self._process.forget(self._key)
+
+
+class ApartFeed:
+    """A publisher that passes a hand's estimates to the process."""
+
+    def __init__(self, process: StreamsProcess, hand: int) -> None:
+        self.name = f"streams of hand {hand}"
+        self._process, self._hand = process, hand
+
+    def send(self, estimate: Estimate) -> None:
+        self._process.send(self._hand, estimate)
+
+    def close(self) -> None: ...

@@ -1,0 +1,125 @@
+"""What runs in the process of the outputs, see `tracker.streaming.apart`."""
+
+from __future__ import annotations
+
+import contextlib
+import threading
+from functools import partial
+from multiprocessing.connection import Connection
+from typing import Any
+
+from tracker.base.errors import notice_of
+from tracker.base.notices import Notice
+from tracker.messages import Estimate
+from tracker.streaming.apart_messages import Answered, Asked, Counted, Reported, Sent
+from tracker.streaming.publisher import Publisher
+from tracker.streaming.registry import STREAMS, close_all, open_stream
+from tracker.streaming.streams import Streams, delivery
+
+COUNT_EVERY = 0.5  # s
+
+
+def serve(pipe: Connection) -> None:
+    """Until the other end says so, or is gone."""
+    desk = _Desk(pipe)
+    try:
+        while True:
+            item = pipe.recv()
+            if item is None:
+                break
+            if isinstance(item, Sent):
+                desk.feed(item.hand, item.estimate)
+            else:
+                desk.ask(item)
+    except (EOFError, OSError):
+        pass
+    desk.close()
+
+
+class _Open:
+    """One stream: its publishers, and a `Streams` for each hand once it sends."""
+
+    def __init__(self, publishers: list[Publisher]) -> None:
+        self.publishers = publishers
+        self.streams: list[Streams] = []
+        self.first: dict[int, int] = {}  # number of the first estimate of each hand
+
+    def close(self) -> None:
+        for each in self.streams:
+            each.close()
+        if not self.streams:
+            close_all(self.publishers)
+
+
+class _Desk:
+    """Requests are carried out in threads of their own: opening and testing take their time. What
+    is to start has the next estimate."""
+
+    def __init__(self, pipe: Connection) -> None:
+        self._pipe, self._sending = pipe, threading.Lock()
+        self._open: dict[int, _Open] = {}  # replaced, never changed
+        self._changing = threading.Lock()
+        self._ended = threading.Event()
+        threading.Thread(target=self._count, name="glovetrack-counts", daemon=True).start()
+
+    def feed(self, hand: int, estimate: Estimate) -> None:
+        for stream in self._open.values():
+            if hand < len(stream.streams):
+                first = stream.first.setdefault(hand, estimate.seq)
+                stream.streams[hand].offer(estimate, estimate.seq - first)
+
+    def ask(self, asked: Asked) -> None:
+        if asked.do == "start":
+            self._answer(asked)
+            return
+        name = f"glovetrack-streams-{asked.do}"
+        threading.Thread(target=self._answer, args=(asked,), name=name, daemon=True).start()
+
+    def close(self) -> None:
+        self._ended.set()
+        for stream in self._open.values():
+            stream.close()
+
+    def _answer(self, asked: Asked) -> None:
+        do = {"open": self._make, "start": self._start, "test": self._test, "close": self._end}
+        try:
+            result = do[asked.do](asked.key, asked.data)
+        except Exception as error:  # noqa: BLE001 - reported to the window
+            self._send(Answered(asked.number, problem=notice_of(error)))
+        else:
+            self._send(Answered(asked.number, result))
+
+    def _make(self, key: int, data: Any) -> list[str]:
+        kind, options, hands = data
+        publishers = open_stream(STREAMS.get(kind), options, hands)
+        with self._changing:
+            self._open = {**self._open, key: _Open(publishers)}
+        return [publisher.name for publisher in publishers]
+
+    def _start(self, key: int, _data: Any) -> None:
+        stream = self._open[key]
+        stream.streams = [Streams([p], partial(self._report, key)) for p in stream.publishers]
+
+    def _test(self, key: int, _data: Any) -> Notice:
+        stream = self._open[key]
+        sent = sum(counts.sent for each in stream.streams for counts in each.counts())
+        return delivery(stream.publishers[0], sent)
+
+    def _end(self, key: int, _data: Any) -> None:
+        with self._changing:
+            stream = self._open.get(key)
+            self._open = {k: v for k, v in self._open.items() if k != key}
+        if stream is not None:
+            stream.close()
+
+    def _report(self, key: int, what: Notice) -> None:
+        self._send(Reported(key, what))
+
+    def _count(self) -> None:
+        while not self._ended.wait(COUNT_EVERY):
+            every = self._open.items()
+            self._send(Counted({k: tuple(s.counts()[0] for s in v.streams) for k, v in every}))
+
+    def _send(self, item: object) -> None:
+        with self._sending, contextlib.suppress(OSError, ValueError):
+            self._pipe.send(item)
