@@ -10,6 +10,7 @@ program writes them as JSON.
 from __future__ import annotations
 
 import argparse
+import contextlib
 import json
 import os
 import socket
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
     from app.window.main_window import MainWindow
 
 NOT_HERE = ("opengloves",)  # a pipe of Windows
+FIRST_PORT = 20_000
 SETTLE_S = 2.0  # after switching, before a turn counts
 SWITCH_WAIT = 120.0  # s for all streams to open or close, on a loaded computer
 LOOK_S = 4.0  # the latencies that the engine stores are those of so many seconds
@@ -136,9 +138,9 @@ def _alternate(window: MainWindow, cost: Cost, turns: int, seconds: float) -> Co
 
     if not wait_until(lambda: _tracked(window), START_TIMEOUT):
         raise SystemExit("The demo did not find the hand.")
-    for name in cost.streams:
-        if window.outputs.kinds[name].has("port"):
-            window.outputs.set_port(name, _free_port())
+    ported = [name for name in cost.streams if window.outputs.kinds[name].has("port")]
+    for name, port in zip(ported, _free_ports(len(ported)), strict=True):
+        window.outputs.set_port(name, port)
     readers = _start_readers(window, cost.streams)
     wait_until(lambda: False, SETTLE_S)
     for k in range(turns):
@@ -160,12 +162,17 @@ def _tracked(window: MainWindow) -> bool:
     return estimate is not None and estimate.tracking == Tracking.TRACKING
 
 
-def _free_port() -> int:
-    """One that no other program uses, by TCP."""
-    with socket.socket() as sock:
-        sock.bind(("127.0.0.1", 0))
-        port: int = sock.getsockname()[1]
-        return port
+def _free_ports(count: int) -> list[int]:
+    """Ports that no other program uses, by TCP, and below those from which the system connects: a
+    reader that tries again and again would at some time connect to itself."""
+    found: list[int] = []
+    for port in range(FIRST_PORT + os.getpid() % 1000 * 10, 32768):
+        with socket.socket() as sock, contextlib.suppress(OSError):
+            sock.bind(("127.0.0.1", port))
+            found.append(port)
+        if len(found) == count:
+            break
+    return found
 
 
 def _start_readers(window: MainWindow, names: Sequence[str]) -> subprocess.Popen[str]:

@@ -8,6 +8,9 @@ from pathlib import Path
 
 import pytest
 
+from tracker.streaming.registry import stream_kinds
+from tracker.streaming.remote.registry import door_kinds
+
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "integrations.md"
 TEST = re.compile(r"`([\w/]+\.py)::(test_\w+)`")
@@ -29,3 +32,12 @@ def test_every_answer_has_a_test() -> None:
     table = [line for line in PAGE.read_text("utf-8").splitlines() if line.startswith("| ")][1:]
     answers = [line for line in table if not line.startswith("|---")]
     assert len(answers) == len(ROWS) >= 17
+
+
+def test_every_stream_and_every_source_of_poses_has_a_row_in_the_documentation() -> None:
+    streaming = (ROOT / "docs" / "streaming.md").read_text("utf-8")
+    pages = streaming + (ROOT / "extensions" / "room" / "docs" / "room.md").read_text("utf-8")
+    rows = re.findall(r"^\| [^|]* \| `(\w+)` \|", streaming, re.MULTILINE)
+    assert set(rows) >= set(stream_kinds())
+    for name in door_kinds():
+        assert re.search(rf"`(--remote )?{name}`|--remote [\w,?:]*\b{name}\b", pages), name

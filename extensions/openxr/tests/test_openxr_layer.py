@@ -44,7 +44,7 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the test runtim
 PLACED = Placement(Space.LOCAL, (0.1, -0.4, -0.3), 25.0, 0.05)
 STEP = 10_000_000  # ns between estimates
 WRIST, TIP = JOINTS.index("wrist"), JOINTS.index("index_tip")
-LIMIT = 1e-4  # m and, in degrees, 0.1: what the issue allows
+LIMIT = 1e-4  # m and, in degrees, 0.1
 INVALID, TIME_INVALID = "XrResult -1", "XrResult -30"
 
 
