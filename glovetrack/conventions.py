@@ -34,6 +34,9 @@ R_B_OPERATOR = np.array([[0.0, 0, 1], [0, 1, 0], [-1, 0, 0]])
 """Columns: the operator's axes in B, on both sides: x out of the palm, z to the fingers."""
 
 
+FITTED = ("wrist", "index_mcp", "middle_mcp")
+
+
 def in_order(points: Array, keypoint_names: Sequence[str], order: Sequence[str]) -> Array:
     """(..., len(order), d) rows of ``points`` (..., K, d); NaN where a keypoint is not there."""
     row_of = {n: i for i, n in enumerate(keypoint_names)}
@@ -70,4 +73,27 @@ def to_operator(points: Array, q: Array, keypoint_names: Sequence[str]) -> Array
     return np.asarray(from_wrist @ R)
 
 
-__all__ = ["joint_radii", "to_mano", "to_mediapipe", "to_openxr", "to_operator"]
+def operator_frame(landmarks: Array, R: Array) -> Array:
+    """(3, 3) columns: axes of the operator frame that dex-retargeting fits to landmarks (21, 3).
+
+    In the landmarks' axes: z along the palm from the wrist to the middle knuckle, x out of the
+    palm, normal to the plane of wrist, index and middle knuckle. ``R`` (3, 3) is the dorsum's
+    orientation, which decides on which side the palm is; the fitted frame differs from it by the
+    constant 2.4° of the reference hand, whose index knuckle is not in the dorsum's plane.
+    """
+    wrist, index, middle = landmarks[[MEDIAPIPE.index(n) for n in FITTED]]
+    z = middle - wrist
+    x = np.cross(index - wrist, z)
+    x = x if x @ (R @ R_B_OPERATOR[:, 0]) > 0 else -x
+    x, z = x / np.linalg.norm(x), z / np.linalg.norm(z)
+    return np.stack([x, np.cross(z, x), z], axis=1)
+
+
+__all__ = [
+    "joint_radii",
+    "operator_frame",
+    "to_mano",
+    "to_mediapipe",
+    "to_openxr",
+    "to_operator",
+]

@@ -85,6 +85,7 @@ CASES: dict[str, Words] = {
     ],
     "light": lambda s, f: [s.raw, "--json", f / "j.json"],
     "crop": lambda s, f: [s.raw, "-o", f / "o.mcap", "--stop", 0.5, "--json", f / "j.json"],
+    "retargeting-config": lambda s, f: ["-o", f / "hand.yml"],
     "robot-hand": lambda s, f: ["-o", f / "o.toml", "--json", f / "j.json"],
     "teleop": lambda s, f: [s.tracked, "-o", f / "o.mcap", "--json", f / "j.json"],
     "import": lambda s, f: [s.table, "-o", f / "o.mcap", "--json", f / "j.json"],
@@ -220,7 +221,7 @@ def files_in(folder: Path) -> dict[Path, bytes]:
 def test_what_exists_survives_without_force_and_is_replaced_with_it(
     command: str, sessions: Sessions, tmp_path: Path, quick: None
 ) -> None:
-    if command in ("teleop", "robot-hand", "evaluate robot"):
+    if command in ("teleop", "robot-hand", "retargeting-config", "evaluate robot"):
         pytest.importorskip("mujoco")
     made = tmp_path / "made"
     made.mkdir()

@@ -8,6 +8,7 @@ import mujoco
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from extensions.robot.anatomy import RobotFinger
 from extensions.robot.fingers import plain
 from extensions.robot.hand import RobotHand
 from tracker.messages import Array
@@ -16,8 +17,9 @@ ROOT = "palm_frame"
 SPEED = 10.0  # rad/s: URDF requires a limit
 
 
-def robot_urdf(hand: RobotHand) -> str:
-    """URDF text. The root link is the palm's frame P; successive joints of a body get links."""
+def robot_urdf(hand: RobotHand, tips: bool = False) -> str:
+    """URDF text. The root link is the palm's frame P; successive joints of a body get links, and
+    with ``tips`` each fingertip a link called FINGER_tip_end."""
     model, anatomy = hand.model, hand.anatomy
     robot = ET.Element("robot", name=hand.name)
     ET.SubElement(robot, "link", name=ROOT)
@@ -32,8 +34,24 @@ def robot_urdf(hand: RobotHand) -> str:
         else:
             start = plain(model.body(parent).name)
         _body(robot, hand, body, start, (at, turned))
+    for finger in anatomy.fingers if tips else ():
+        name = tip_link(finger)
+        fixed = _joint(robot, "fixed", f"{name}_fixed", plain(model.body(finger.body).name), name)
+        _origin(fixed, finger.tip, np.eye(3))
+        ET.SubElement(robot, "link", name=name)
     ET.indent(robot)
     return ET.tostring(robot, encoding="unicode")
+
+
+def tip_link(finger: RobotFinger) -> str:
+    """Name of a fingertip's link."""
+    return f"{finger.name}_tip_end"
+
+
+def joint_link(model: mujoco.MjModel, joint: int) -> str:
+    """Name of the link that a joint turns and whose origin is on its axis."""
+    body = int(model.jnt_bodyid[joint])
+    return f"{plain(model.body(body).name)}_{joint - int(model.body_jntadr[body])}"
 
 
 def _belongs(model: mujoco.MjModel, body: int, base: int) -> bool:

@@ -28,12 +28,13 @@ from tracker.streaming.registry import (
 
 ALL = [
     *("udp", "websocket", "vmc", "openxr", "vmt", "monado", "opengloves", "hts", "mediapipe"),
-    *("lsl", "foxglove", "isaac"),
+    *("poses", "lsl", "foxglove", "isaac"),
 ]
 PORTS = {"udp": 9750, "websocket": 9751, "vmc": 39540, "foxglove": 8765} | {
     "vmt": 39570,
     "hts": 9000,
     "mediapipe": 9002,
+    "poses": 9003,
 }
 
 

@@ -45,9 +45,9 @@ def numbered(side: int = 1) -> str:
     mesh = '<mesh filename="package://some_hand/meshes/part.dae"/>'
     parts = [link("base_link", '<box size="0.03 0.1 0.1"/>')]
     for f, y in enumerate((0.045, 0.0, -0.045)):
-        parts += _numbered_finger(4 * f, f"0 {side * y} 0", "0 0 0", BONES, mesh)
+        parts += _numbered_finger(4 * f, f"0 {side * y} 0.09", "0 0 0", BONES, mesh)
     turn = TO_THE_SIDE if side > 0 else TO_THE_SIDE[1:]
-    parts += _numbered_finger(12, f"0.01 {side * 0.02} -0.06", turn, THUMB, mesh)
+    parts += _numbered_finger(12, f"0.01 {side * 0.02} 0.03", turn, THUMB, mesh)
     return urdf("numbered", parts)
 
 
@@ -63,7 +63,8 @@ def _numbered_finger(
         axis, limit = ("", (0.0, 0.0)) if tip else (FLEX, (-0.1, 1.6))
         if k == 0:
             axis, limit = SPREAD, (-0.4, 0.4)
-        out.append(joint(f"joint_{first + k}.0", names[k], name, places[k], axis, turn, limit))
+        label = f"joint_{first + 3}.0_tip" if tip else f"joint_{first + k}.0"
+        out.append(joint(label, names[k], name, places[k], axis, turn, limit))
         turn = "0 0 0"
     return out
 
