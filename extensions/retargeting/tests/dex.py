@@ -1,4 +1,4 @@
-"""dex-retargeting's three objectives, written anew with NumPy and SciPy from their publication
+"""dex-retargeting's three objectives, implemented with NumPy and SciPy from their publication
 (github.com/dexsuite/dex-retargeting, optimizer.py): Huber losses of positions or of the lengths of
 vector differences, and a cost for leaving the last joint angles. Links are those that yourdfpy
 finds in the URDF."""
