@@ -9256,26 +9256,6 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.streams" />
-      <source>Keyed poses (Isaac, retargeting)</source>
-      <translation>Benannte Posen (Isaac, Retargeting)</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.streams" />
-      <source>tips: wrist and fingertips; openxr: 26 joints; landmarks: 21, in MediaPipe's order</source>
-      <translation>tips: Handgelenk und Fingerspitzen; openxr: 26 Gelenke; landmarks: 21, in der Reihenfolge von MediaPipe</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.streams" />
-      <source>world: z up; openxr: y up; wrist: relative to the wrist; operator: dex-retargeting's</source>
-      <translation>world: z nach oben; openxr: y nach oben; wrist: relativ zum Handgelenk; operator: das von dex-retargeting</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.streams" />
-      <source>whether each pose also has a 4×4 matrix</source>
-      <translation>ob jede Pose auch eine 4×4-Matrix hat</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.streams" />
       <source>Lab Streaming Layer</source>
       <translation>Lab Streaming Layer</translation>
     </message>
@@ -11156,13 +11136,18 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>{path}: the {side:word} camera has {count} distortion coefficients; only k1 k2 p1 p2 k3 are supported.</source>
-      <translation>{path}: Die Kamera {side:word} hat {count} Verzeichnungskoeffizienten; unterstützt werden nur k1 k2 p1 p2 k3.</translation>
+      <source>{path}: the {side:word} camera has {count} distortion coefficients. OpenCV's models have 5, 8, 12 or 14, a fisheye 4.</source>
+      <translation>{path}: Die {side:word} Kamera hat {count} Verzeichnungskoeffizienten. Die Modelle von OpenCV haben 5, 8, 12 oder 14, ein Fischauge 4.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>{path}: the lens model of {camera} is {model}; only pinhole lenses with k1 k2 p1 p2 k3 are supported.</source>
-      <translation>{path}: Das Objektivmodell von {camera} ist {model}; unterstützt werden nur Lochkameras mit k1 k2 p1 p2 k3.</translation>
+      <source>{path}: the lens model of {camera} is {model}. Pinhole lenses with OpenCV's coefficients and equidistant fisheyes are supported.</source>
+      <translation>{path}: Das Objektivmodell von {camera} ist {model}. Unterstützt werden Lochkameraobjektive mit den Koeffizienten von OpenCV und äquidistante Fischaugen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>One lens is a fisheye and the other is not. Both must be of the same kind.</source>
+      <translation>Ein Objektiv ist ein Fischauge und das andere nicht. Beide müssen von gleicher Art sein.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />

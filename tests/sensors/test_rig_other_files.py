@@ -103,7 +103,7 @@ def test_a_camera_that_caliscope_ignores_is_left_out(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "code"),
     [
-        (kalibr(distortion_model="equidistant"), "stereo.lens_model"),
+        (kalibr(distortion_model="fov"), "stereo.lens_model"),
         (kalibr(camera_model="omni"), "stereo.lens_model"),
         (kalibr(intrinsics="[1.0, 2.0]"), "stereo.matrix_shape"),
         (kalibr().replace("T_cn_cnm1", "T_other"), "stereo.matrix_missing"),
@@ -119,8 +119,8 @@ def test_other_chains_of_kalibr_are_refused(tmp_path: Path, text: str, code: str
 @pytest.mark.parametrize(
     ("text", "code"),
     [
-        (tables(1.0, fisheye=True), "stereo.lens_model"),
-        (tables(1.0, distortions=[0.0] * 7 + [0.1]), "stereo.lens_model"),
+        (tables(1.0, fisheye=True), "stereo.matrix_shape"),
+        (tables(1.0, distortions=[0.0] * 14 + [0.1]), "stereo.lens_model"),
         (tables(1.0, rotation=[0.1]), "stereo.matrix_shape"),
         (tables(1.0, size=["a", "b"]), "stereo.matrix_shape"),
         ("[metadata]\nerror = 0.3\n", "stereo.matrix_missing"),

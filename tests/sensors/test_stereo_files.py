@@ -129,7 +129,7 @@ def test_opencv_damage_is_reported(tmp_path: Path) -> None:
     good = {"M1": K, "D1": D, "M2": K, "D2": D, "R": np.eye(3), "T": np.array([[-0.1], [0], [0]])}
     bad = [
         ({"R": 2 * np.eye(3)}, "stereo.no_rotation"),
-        ({"D1": np.full((1, 8), 0.1)}, "stereo.coefficients"),
+        ({"D1": np.full((1, 15), 0.1)}, "stereo.coefficients"),
         ({"T": np.zeros((2, 1))}, "stereo.matrix_shape"),
     ]
     for n, (change, code) in enumerate(bad):

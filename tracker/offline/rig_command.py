@@ -147,7 +147,9 @@ def _calibration(rig: StereoRig) -> str:
     from tracker.calibration.stereo.files import calibration_text
     from tracker.sensors.stereo_calibration import Intrinsics
 
-    left, right = (Intrinsics(c.width, c.height, c.K, c.D) for c in (rig.left, rig.right))
+    left, right = (
+        Intrinsics(c.width, c.height, c.K, c.D, c.fisheye) for c in (rig.left, rig.right)
+    )
     note = "of the simulated camera"
     if rig.one_camera:
         return calibration_text(left, note=note, line_time=rig.line_time)

@@ -26,6 +26,7 @@ from tracker.base.notices import notice
 from tracker.base.toml_reader import read_text
 from tracker.messages import Array, CameraPose
 from tracker.sensors.stereo_calibration import Intrinsics, rectified_rig, rig_of_one
+from tracker.vision.lens_models import FISHEYE, padded
 from tracker.vision.rig import StereoRig
 
 MM = 1e-3
@@ -161,7 +162,7 @@ NAMES = {
 }
 OF_ONE = frozenset(("K of the left camera", "D of the left camera"))
 MOST_NUMBERS = 100  # of a matrix
-MAX_COEFFICIENTS = 5  # plumb bob
+FISHEYE_MODELS = ("equidistant", "fisheye")  # as ROS calls them
 
 
 def load_opencv_stereo(
@@ -176,21 +177,22 @@ def load_opencv_stereo(
 
     ``right_size`` (px) is where the right images have another size.
 
-    Raises FileError where something is missing or is not a plumb-bob calibration.
+    Raises FileError where something is missing or the lens model is unknown.
     """
     found: dict[str, Array] = {}
     for path in paths:
         found |= _matrices(path)
     where = " and ".join(str(p) for p in paths)
+    fisheye = any(_is_fisheye(path) for path in paths)
     if found.keys() == OF_ONE:
-        return rig_of_one(_intrinsics(found, "left", (width, height), where), pose)
+        return rig_of_one(_intrinsics(found, "left", (width, height), where, fisheye), pose)
     for what in NAMES:
         if what not in found:
             raise FileError(
                 notice("stereo.matrix_missing", path=where, key=what, names=NAMES[what])
             )
     sizes = {"left": (width, height), "right": right_size or (width, height)}
-    left, right = (_intrinsics(found, side, size, where) for side, size in sizes.items())
+    left, right = (_intrinsics(found, side, size, where, fisheye) for side, size in sizes.items())
     R = _shaped(found["the rotation R"], (3, 3), "the rotation R", where)
     T = _shaped(found["the translation T"].reshape(-1), (3,), "the translation T", where)
     if not np.allclose(R @ R.T, np.eye(3), atol=1e-3):
@@ -199,10 +201,22 @@ def load_opencv_stereo(
 
 
 def _intrinsics(
-    found: dict[str, Array], side: str, size: tuple[int, int], where: str
+    found: dict[str, Array], side: str, size: tuple[int, int], where: str, fisheye: bool
 ) -> Intrinsics:
     K = _shaped(found[f"K of the {side} camera"], (3, 3), f"K of the {side} camera", where)
-    return Intrinsics(*size, K, _distortion(found[f"D of the {side} camera"], side, where))
+    D = _distortion(found[f"D of the {side} camera"], side, where, fisheye)
+    return Intrinsics(*size, K, D, fisheye)
+
+
+def _is_fisheye(path: Path) -> bool:
+    """Whether a file says that its lenses are fisheyes: ours by a number, ROS by the model."""
+    storage = cv2.FileStorage(opencv_text(path), cv2.FILE_STORAGE_READ | cv2.FILE_STORAGE_MEMORY)
+    try:
+        ours, model = storage.getNode("fisheye"), storage.getNode("distortion_model")
+        stated = model.string() if model.isString() else ""
+        return stated in FISHEYE_MODELS or (ours.isInt() and ours.real() != 0)
+    finally:
+        storage.release()
 
 
 def opencv_text(path: Path) -> str:
@@ -274,8 +288,11 @@ def _shaped(matrix: Array, shape: tuple[int, ...], what: str, where: str) -> Arr
     return matrix
 
 
-def _distortion(matrix: Array, side: str, where: str) -> Array:
-    D = matrix.reshape(-1)
-    if np.any(D[MAX_COEFFICIENTS:]) or not np.all(np.isfinite(D)):
-        raise FileError(notice("stereo.coefficients", path=where, side=side, count=len(D)))
-    return np.pad(D[:MAX_COEFFICIENTS], (0, max(0, MAX_COEFFICIENTS - len(D))))
+def _distortion(matrix: Array, side: str, where: str, fisheye: bool) -> Array:
+    given = matrix.reshape(-1)
+    D = padded(given)
+    if fisheye:
+        D = given if len(given) == FISHEYE else None
+    if D is None or not np.all(np.isfinite(D)):
+        raise FileError(notice("stereo.coefficients", path=where, side=side, count=len(given)))
+    return D

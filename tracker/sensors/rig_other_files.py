@@ -26,10 +26,10 @@ from tracker.base.notices import notice
 from tracker.base.toml_reader import parse_toml, read_text
 from tracker.messages import Array, CameraPose
 from tracker.sensors.stereo_calibration import Intrinsics, rectified_rig, rig_of_one
+from tracker.vision.lens_models import FISHEYE, padded
 from tracker.vision.rig import StereoRig
 
 MOST_TEXT = 100_000  # characters of a Kalibr file; a real one has 2000
-MOST_COEFFICIENTS = 5  # plumb bob
 _CAMERA = re.compile(r"^(cam\d+):\s*$")
 _NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 
@@ -98,15 +98,17 @@ def _kalibr_cameras(text: str) -> dict[str, dict[str, str]]:
 
 
 def _kalibr_intrinsics(path: Path, name: str, camera: Mapping[str, str]) -> Intrinsics:
-    for key, only in (("camera_model", "pinhole"), ("distortion_model", "radtan")):
-        model = camera.get(key, only)
-        if model != only:
+    known = {"camera_model": ("pinhole",), "distortion_model": ("radtan", "equidistant")}
+    for key, models in known.items():
+        model = camera.get(key, models[0])
+        if model not in models:
             raise FileError(notice("stereo.lens_model", path=path, camera=name, model=model))
+    fisheye = camera.get("distortion_model") == "equidistant"
     fx, fy, cx, cy = _numbers(path, name, "intrinsics", camera.get("intrinsics"), 4)
-    k1, k2, p1, p2 = _numbers(path, name, "distortion_coeffs", camera.get("distortion_coeffs"), 4)
+    D = _numbers(path, name, "distortion_coeffs", camera.get("distortion_coeffs"), 4)
     width, height = _numbers(path, name, "resolution", camera.get("resolution"), 2)
     K = np.array([[fx, 0.0, cx], [0.0, fy, cy], [0.0, 0.0, 1.0]])
-    return Intrinsics(int(width), int(height), K, np.array([k1, k2, p1, p2, 0.0]))
+    return Intrinsics(int(width), int(height), K, D if fisheye else np.append(D, 0.0), fisheye)
 
 
 # --- Anipose, FreeMoCap, Caliscope
@@ -126,16 +128,16 @@ def _camera_tables(table: Mapping[str, Any]) -> Iterator[tuple[str, Mapping[str,
 
 
 def _table_intrinsics(path: Path, name: str, camera: Mapping[str, Any]) -> Intrinsics:
-    if camera.get("fisheye"):
-        raise FileError(notice("stereo.lens_model", path=path, camera=name, model="fisheye"))
     width, height = _numbers(path, name, "size", camera.get("size"), 2)
     K = _numbers(path, name, "matrix", camera.get("matrix"), 9).reshape(3, 3)
-    D = _numbers(path, name, "distortions", camera.get("distortions"))
-    if np.any(D[MOST_COEFFICIENTS:]):
-        model = f"one with {len(D)} coefficients"
+    fisheye = bool(camera.get("fisheye"))
+    count = FISHEYE if fisheye else None
+    given = _numbers(path, name, "distortions", camera.get("distortions"), count)
+    D = given if fisheye else padded(given)
+    if D is None:
+        model = f"one with {len(given)} coefficients"
         raise FileError(notice("stereo.lens_model", path=path, camera=name, model=model))
-    D = np.pad(D[:MOST_COEFFICIENTS], (0, max(0, MOST_COEFFICIENTS - len(D))))
-    return Intrinsics(int(width), int(height), K, D)
+    return Intrinsics(int(width), int(height), K, D, fisheye)
 
 
 def _table_pose(path: Path, name: str, camera: Mapping[str, Any]) -> tuple[Array, Array]:

@@ -18,6 +18,7 @@ from tracker.geometry import so3
 from tracker.messages import Array
 from tracker.sensors.stereo_calibration import Intrinsics
 from tracker.simulation.smooth import rng_for
+from tracker.vision.lens_models import undistorted
 
 Image = NDArray[np.uint8]
 FINE = 2
@@ -108,7 +109,9 @@ def _rays(camera: Intrinsics) -> NDArray[np.float32]:
     u = (np.arange(camera.width * FINE) + 0.5) / FINE - 0.5
     v = (np.arange(camera.height * FINE) + 0.5) / FINE - 0.5
     uv = np.stack(np.meshgrid(u, v), axis=-1).reshape(-1, 1, 2)
-    xy = cv2.undistortPoints(uv, camera.K, camera.D).reshape(len(v), len(u), 2)
+    same = np.eye(3)
+    xy = undistorted(uv.reshape(-1, 2), camera.K, camera.D, camera.fisheye, same, same)
+    xy = xy.reshape(len(v), len(u), 2)
     return np.concatenate([xy, np.ones((*xy.shape[:2], 1))], axis=2).astype(np.float32)
 
 

@@ -10,7 +10,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
-import cv2
 import numpy as np
 
 from tracker.base.clock import nanoseconds, seconds
@@ -19,6 +18,7 @@ from tracker.base.notices import notice
 from tracker.kernels import kernel
 from tracker.kernels.arrays import Matrix
 from tracker.messages import Array, CameraPose
+from tracker.vision.lens_models import distorted, undistorted
 
 LONGEST_READOUT = 0.1  # s, from the first row of an image to the last
 NEAREST = 0.01  # m in front of the camera, minimum depth for projection
@@ -26,7 +26,8 @@ NEAREST = 0.01  # m in front of the camera, minimum depth for projection
 
 @dataclass(frozen=True, eq=False)
 class Camera:
-    """One camera: K (3, 3), D (n,) plumb_bob, R (3, 3) rectification, P (3, 4) projection."""
+    """One camera: K (3, 3), D (n,) of `tracker.vision.lens_models`, R (3, 3) rectification,
+    P (3, 4) projection."""
 
     width: int
     height: int
@@ -34,12 +35,14 @@ class Camera:
     D: Array
     R: Array
     P: Array
+    fisheye: bool = False
 
     @cached_property
     def is_rectified(self) -> bool:
         """Whether raw pixels are rectified pixels already."""
         return bool(
-            not np.any(self.D)
+            not self.fisheye
+            and not np.any(self.D)
             and np.allclose(self.R, np.eye(3))
             and np.allclose(self.K, self.P[:, :3])
         )
@@ -48,8 +51,7 @@ class Camera:
         """Raw pixels (n, 2) to rectified pixels (n, 2)."""
         if self.is_rectified or len(uv) == 0:
             return np.array(uv, float).reshape(-1, 2)
-        points = np.ascontiguousarray(uv, float).reshape(-1, 1, 2)
-        return cv2.undistortPoints(points, self.K, self.D, R=self.R, P=self.P[:, :3]).reshape(-1, 2)
+        return undistorted(uv, self.K, self.D, self.fisheye, self.R, self.P[:, :3])
 
     def unrectify(self, uv: Array) -> Array:
         """Rectified pixels (n, 2) to raw pixels (n, 2); the inverse of `rectify`."""
@@ -57,8 +59,7 @@ class Camera:
             return np.array(uv, float).reshape(-1, 2)
         rays = np.column_stack([uv, np.ones(len(uv))]) @ np.linalg.inv(self.P[:, :3]).T
         rays = rays @ self.R  # rows: R^T ray
-        raw, _ = cv2.projectPoints(rays.reshape(-1, 1, 3), np.zeros(3), np.zeros(3), self.K, self.D)
-        return raw.reshape(-1, 2)
+        return distorted(rays, self.K, self.D, self.fisheye)
 
 
 class StereoIntrinsics(NamedTuple):

@@ -266,9 +266,8 @@ class CheckPage(QWidget):
 
 def _rectify_map(camera: Camera) -> tuple[np.ndarray, np.ndarray]:
     size = (camera.width, camera.height)
-    first, second = cv2.initUndistortRectifyMap(
-        camera.K, camera.D, camera.R, camera.P[:, :3], size, cv2.CV_16SC2
-    )
+    make = cv2.fisheye.initUndistortRectifyMap if camera.fisheye else cv2.initUndistortRectifyMap
+    first, second = make(camera.K, camera.D, camera.R, camera.P[:, :3], size, cv2.CV_16SC2)
     return first, second
 
 

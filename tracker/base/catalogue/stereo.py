@@ -82,12 +82,15 @@ TEXTS = {
     "stereo.not_matrix": "{path} contains a value that is not a matrix.",
     "stereo.matrix_shape": "{path}: {key} must be {shape} finite numbers.",
     "stereo.coefficients": (
-        "{path}: the {side:word} camera has {count} distortion coefficients; only k1 k2 "
-        "p1 p2 k3 are supported."
+        "{path}: the {side:word} camera has {count} distortion coefficients. OpenCV's models have "
+        "5, 8, 12 or 14, a fisheye 4."
     ),
     "stereo.lens_model": (
-        "{path}: the lens model of {camera} is {model}; only pinhole lenses with k1 k2 p1 p2 k3 "
-        "are supported."
+        "{path}: the lens model of {camera} is {model}. Pinhole lenses with OpenCV's coefficients "
+        "and equidistant fisheyes are supported."
+    ),
+    "stereo.mixed_lenses": (
+        "One lens is a fisheye and the other is not. Both must be of the same kind."
     ),
     "stereo.baseline_negative": (
         "The stereo calibration has a baseline of {baseline_mm:.1f} mm: left and right "

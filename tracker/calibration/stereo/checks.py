@@ -18,6 +18,7 @@ from tracker.calibration.stereo.solve import Solution
 from tracker.geometry import so3
 from tracker.messages import Array
 from tracker.sensors.stereo_calibration import Intrinsics
+from tracker.vision.lens_models import distorted, fisheye_reach
 from tracker.vision.rig import StereoRig
 
 
@@ -67,7 +68,9 @@ class Extrinsics:
 
 def extrinsics_of(rig: StereoRig) -> Extrinsics:
     """The motion between the raw cameras of a rectified rig: R1, R2 rotate them parallel."""
-    left, right = (Intrinsics(c.width, c.height, c.K, c.D) for c in (rig.left, rig.right))
+    left, right = (
+        Intrinsics(c.width, c.height, c.K, c.D, c.fisheye) for c in (rig.left, rig.right)
+    )
     if rig.one_camera:
         return Extrinsics(left, None, np.eye(3), np.zeros(3))
     T = rig.right.R.T @ np.array([-rig.baseline, 0.0, 0.0])
@@ -191,13 +194,17 @@ def _centre(rig: Extrinsics, p: RigLimits) -> list[Notice]:
 
 
 def _distortion(rig: Extrinsics, p: RigLimits) -> list[Notice]:
-    """The displacement of the image's corner by the lens."""
+    """The displacement of the image's corner by the lens; a fisheye may have any, but must image
+    its corner only once and before `tracker.vision.lens_models.WIDEST`."""
     out = []
     for lens, camera in rig.cameras:
         x = (camera.width / 2) / camera.K[0, 0]
         y = (camera.height / 2) / camera.K[1, 1]
-        k1, k2, _, _, k3 = camera.D
-        r2 = x * x + y * y
-        if abs(k1 * r2 + k2 * r2**2 + k3 * r2**3) > p.distortion:
+        if camera.fisheye:
+            fits = np.isfinite(fisheye_reach(camera.D, float(np.hypot(x, y))))
+        else:
+            corner = distorted(np.array([[x, y, 1.0]]), np.eye(3), camera.D, fisheye=False)[0]
+            fits = bool(abs(corner @ (x, y) / (x * x + y * y) - 1.0) <= p.distortion)
+        if not fits:
             out.append(failure("stereo.distortion", lens=lens))
     return out

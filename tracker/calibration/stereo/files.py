@@ -70,6 +70,8 @@ def calibration_text(
     storage.write("note", note)
     if line_time:
         storage.write("line_time", line_time)
+    if left.fisheye:
+        storage.write("fisheye", 1)
     matrices = {"M1": left.K, "D1": left.D}
     if right is not None and R is not None and T is not None:
         matrices |= {"M2": right.K, "D2": right.D, "R": R, "T": T}

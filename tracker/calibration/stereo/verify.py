@@ -11,6 +11,7 @@ import numpy as np
 from tracker.base.notices import Notice, failure, notice, warning
 from tracker.calibration.stereo.views import StereoView
 from tracker.messages import Array
+from tracker.vision.lens_models import distorted, undistorted
 from tracker.vision.rig import Camera, StereoRig
 
 
@@ -93,9 +94,11 @@ def _verify_one(camera: Camera, views: Sequence[StereoView]) -> Verification:
     """Fits only the board's pose in each view: a wrong lens model cannot match tilted boards."""
     off = []
     for view in views:
-        _, turn, place = cv2.solvePnP(view.points, view.left, camera.K, camera.D)
-        expected, _ = cv2.projectPoints(view.points, turn, place, camera.K, camera.D)
-        off.append(np.linalg.norm(expected.reshape(-1, 2) - view.left, axis=1))
+        seen = undistorted(view.left, camera.K, camera.D, camera.fisheye, np.eye(3), camera.K)
+        _, turn, place = cv2.solvePnP(view.points, seen, camera.K, None)
+        p_C = view.points @ cv2.Rodrigues(turn)[0].T + place.reshape(3)
+        expected = distorted(p_C, camera.K, camera.D, camera.fisheye)
+        off.append(np.linalg.norm(expected - view.left, axis=1))
     every = np.concatenate(off)
     return Verification(
         off_px=np.array([np.sqrt(np.mean(o**2)) for o in off]),

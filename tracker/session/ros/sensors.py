@@ -110,7 +110,8 @@ def pack_camera_info(stamp: int, frame: str, camera: Camera) -> bytes:
     out.header(stamp, frame)
     out.u32(camera.height)
     out.u32(camera.width)
-    out.text("plumb_bob" if camera.D.size <= 5 else "rational_polynomial")
+    model = "plumb_bob" if camera.D.size <= 5 else "rational_polynomial"
+    out.text("equidistant" if camera.fisheye else model)
     out.double_list(camera.D)
     for matrix in (camera.K, camera.R, camera.P):
         out.doubles(matrix.ravel())
@@ -124,10 +125,11 @@ def unpack_camera_info(data: bytes) -> Camera:
     source = CdrReader(data)
     source.header()
     height, width = source.u32(), source.u32()
-    source.text()
+    fisheye = source.text() == "equidistant"
     D = source.double_list()
     K, R, P = source.doubles(9), source.doubles(9), source.doubles(12)
-    return Camera(width, height, K.reshape(3, 3), D, R.reshape(3, 3), P.reshape(3, 4))
+    K, R, P = K.reshape(3, 3), R.reshape(3, 3), P.reshape(3, 4)
+    return Camera(width, height, K, D, R, P, fisheye)
 
 
 def pack_detections(m: Detections) -> bytes:
