@@ -27,7 +27,8 @@ _TIMES = ("t", "time", "timestamp", "seconds", "time (s)", "time [s]")
 
 @dataclass(frozen=True)
 class Recognised:
-    """``points`` of the file and ``keypoints`` of the hand among them; ``missing`` keypoints.
+    """``points`` of the file and ``keypoints`` of the hand among them, ``assigned`` to each its
+    points; ``missing`` keypoints.
 
     ``duration`` s at ``rate`` Hz; ``has_clock``: the file has the time of its start; ``pulses``:
     the number of events; ``problem``: why it cannot be imported, None if it can."""
@@ -37,6 +38,7 @@ class Recognised:
     duration: float
     points: tuple[str, ...]
     keypoints: tuple[str, ...]
+    assigned: tuple[tuple[str, ...], ...]
     missing: tuple[str, ...]
     has_clock: bool
     pulses: int
@@ -60,12 +62,14 @@ def recognise(
         as_keypoints(found, keypoints, side, mapping, path)
     except FileError as error:
         problem = error.notice
+    names = tuple(k for k in keypoints if k in known)
     return Recognised(
         found.kind,
         found.rate,
         float(found.t[-1] - found.t[0]),
         found.names,
-        tuple(k for k in keypoints if k in known),
+        names,
+        tuple(tuple(known[k]) for k in names),
         tuple(k for k in keypoints if k not in known),
         found.start is not None,
         len(found.pulses),

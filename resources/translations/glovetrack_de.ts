@@ -8336,6 +8336,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/reference/window/view_model.py" />
+      <source>Assigned: {}.</source>
+      <translation>Zugeordnet: {}.</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/view_model.py" />
       <source>Pulses: {}.</source>
       <translation>Pulse: {}.</translation>
     </message>
@@ -9253,6 +9258,26 @@ change {}: {}</source>
       <location filename="glovetrack.streams" />
       <source>m that the imagined camera's image shows from left to right</source>
       <translation>m, die das Bild der gedachten Kamera von links nach rechts zeigt</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>Keyed poses (Isaac, retargeting)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>tips: wrist and fingertips; openxr: 26 joints; landmarks: 21, in MediaPipe's order</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>world: z up; openxr: y up; wrist: relative to the wrist; operator: dex-retargeting's</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>whether each pose also has a 4×4 matrix</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <location filename="glovetrack.streams" />

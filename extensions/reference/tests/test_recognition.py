@@ -38,7 +38,8 @@ def test_a_file_is_recognised_with_its_keypoints(tmp_path: Path) -> None:
     assert (found.kind, found.points) == ("C3D", labels)
     assert found.rate == pytest.approx(120.0)
     assert found.duration == pytest.approx(2.0) and found.problem is None
-    assert set(found.keypoints) == {"index_tip", "wrist", "thumb_cmc"}
+    assert found.keypoints == ("wrist", "thumb_cmc", "index_tip")
+    assert found.assigned == (("R_Wrist",), ("R_Thumb1",), ("R_IndexTip",))
     assert set(found.keypoints) | set(found.missing) == set(NAMES)
     assert not found.has_clock and found.pulses == 0
     of_left = recognise(path, NAMES, "left")

@@ -47,6 +47,13 @@ def recognised_text(found: Recognised) -> str:
         parts.append(notice_text(found.problem))
     elif found.missing:
         parts.append(tr("Without: {}.").format(_some([spoken(k) for k in found.missing])))
+    others = [
+        f"{spoken(k)} = {', '.join(points)}"
+        for k, points in zip(found.keypoints, found.assigned, strict=True)
+        if points != (k,)
+    ]
+    if others:
+        parts.append(tr("Assigned: {}.").format(_some(others)))
     parts.append(tr("With start time.") if found.has_clock else tr("Without a start time."))
     if found.pulses:
         parts.append(tr("Pulses: {}.").format(found.pulses))
