@@ -9262,22 +9262,22 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.streams" />
       <source>Keyed poses (Isaac, retargeting)</source>
-      <translation type="unfinished" />
+      <translation>Benannte Posen (Isaac, Retargeting)</translation>
     </message>
     <message>
       <location filename="glovetrack.streams" />
       <source>tips: wrist and fingertips; openxr: 26 joints; landmarks: 21, in MediaPipe's order</source>
-      <translation type="unfinished" />
+      <translation>tips: Handgelenk und Fingerspitzen; openxr: 26 Gelenke; landmarks: 21, in der Reihenfolge von MediaPipe</translation>
     </message>
     <message>
       <location filename="glovetrack.streams" />
       <source>world: z up; openxr: y up; wrist: relative to the wrist; operator: dex-retargeting's</source>
-      <translation type="unfinished" />
+      <translation>world: z nach oben; openxr: y nach oben; wrist: relativ zum Handgelenk; operator: das von dex-retargeting</translation>
     </message>
     <message>
       <location filename="glovetrack.streams" />
       <source>whether each pose also has a 4×4 matrix</source>
-      <translation type="unfinished" />
+      <translation>ob jede Pose auch eine 4×4-Matrix hat</translation>
     </message>
     <message>
       <location filename="glovetrack.streams" />
