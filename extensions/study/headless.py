@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from extensions.study.conductor import Conductor, Phase
 from extensions.study.progress import Progress, locked
@@ -71,8 +72,10 @@ class Run:
 
     def _check(self, step: Step) -> None:
         self._conductor.recorded()
-        path = self._progress.path(step)
-        self._conductor.judged(judge(path, step, self._protocol.limits))
+        path, limits = self._progress.path(step), self._protocol.limits
+        if self._protocol.tasks[step.task].kind == "touch":  # simulated: estimates alone
+            limits = replace(limits, packet_rate=0.0, image_rate=0.0, images_missed=1.0)
+        self._conductor.judged(judge(path, step, limits))
 
     def _decide(self, step: Step) -> None:
         conductor, verdict = self._conductor, self._conductor.verdict

@@ -178,11 +178,8 @@ def touch_lines(study: Study, folder: Path) -> Iterator[tuple[str, str]]:
             continue
         page = folder / f"{one.step.name}_touch.html"
         numbers = page.with_suffix(".json")
-        asked = argparse.Namespace(session=one.path, output=page, ruler=None, side="",
-                                   json=str(numbers), force=True)  # fmt: skip
         try:
-            with contextlib.redirect_stdout(io.StringIO()):
-                COMMANDS.get("touch-test").start(asked)
+            run_command("touch-test", str(one.path), "-o", str(page), "--json", str(numbers))
             yield one.step.name, str(json.loads(numbers.read_text("utf-8"))["line"])
         except GlovetrackError as error:
             yield one.step.name, str(error)
@@ -191,9 +188,15 @@ def touch_lines(study: Study, folder: Path) -> Iterator[tuple[str, str]]:
 def write_movement(study: Study, page: Path) -> None:
     """Writes the report of movements of all accepted trials by the command ``report``. Raises
     ConfigError without that extension."""
-    sessions = [one.path for one in study.accepted()]
-    asked = argparse.Namespace(
-        sessions=sessions, output=page, anonymous=False, json=None, force=True
-    )
+    sessions = [str(one.path) for one in study.accepted()]
+    run_command("report", *sessions, "-o", str(page))
+
+
+def run_command(name: str, *arguments: str) -> None:
+    """Runs a command of another extension, replacing existing files, without its output. Raises
+    ConfigError if that extension is not installed, GlovetrackError if the command fails."""
+    command = COMMANDS.get(name)
+    parser = argparse.ArgumentParser()
+    command.fill(parser)
     with contextlib.redirect_stdout(io.StringIO()):
-        COMMANDS.get("report").start(asked)
+        command.start(parser.parse_args([*arguments, "--force"]))

@@ -24,9 +24,10 @@ NAN = float("nan")
 @dataclass(frozen=True)
 class Measured:
     """Of a recording, of the worse hand if there are two. ``duration`` s from the first packet to
-    the last. ``tracked``: share of the time; ``measured``, ``inferred``, ``lost``: shares of all
-    keypoints and instants. ``packet_rate``, ``image_rate`` Hz; ``images`` pairs of images (or of
-    their blobs); ``images_missed``: share of images that were not searched. NaN where unknown."""
+    the last (without packets: of the file). ``tracked``: share of the time; ``measured``,
+    ``inferred``, ``lost``: shares of all keypoints and instants. ``packet_rate``, ``image_rate``
+    Hz; ``images`` pairs of images (or of their blobs); ``images_missed``: share of images that were
+    not searched. NaN where unknown."""
 
     duration: float = 0.0
     tracked: float = NAN
@@ -108,7 +109,7 @@ def _hand(path: Path, side: str, pictures: int) -> Measured:
             elif isinstance(m, Status):
                 missed = m.values.get("images_missed", missed)
         whole = reader.duration
-    duration = t[-1] - t[0] if len(t) > 1 else 0.0
+    duration = t[-1] - t[0] if len(t) > 1 else whole
     images = pictures or searched
     if pictures:
         missed = max(pictures - searched, 0) / pictures
@@ -119,7 +120,7 @@ def _hand(path: Path, side: str, pictures: int) -> Measured:
         inferred=float(of_all[Validity.INFERRED]),
         lost=float(of_all[Validity.LOST]),
         packets=len(t),
-        packet_rate=(len(t) - 1) / duration if duration else 0.0,
+        packet_rate=max(len(t) - 1, 0) / duration if duration else 0.0,
         images=images,
         images_missed=missed,
         image_rate=images / whole if whole else 0.0,

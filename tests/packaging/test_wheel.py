@@ -98,6 +98,11 @@ def test_the_openxr_layer_can_be_compiled_from_it(wheel: zipfile.ZipFile) -> Non
     assert sources and {f"glovetrack/{n}" for n in sources} <= set(wheel.namelist())
 
 
+def test_the_examples_of_studies_are_included(wheel: zipfile.ZipFile) -> None:
+    protocols = set(tracked("extensions/study/protocols"))
+    assert protocols and {f"glovetrack/{n}" for n in protocols} <= set(wheel.namelist())
+
+
 def test_only_one_name_is_installed(wheel: zipfile.ZipFile) -> None:
     tops = {name.partition("/")[0] for name in wheel.namelist()}
     assert {t for t in tops if not t.endswith(".dist-info")} == {"glovetrack"}

@@ -7,9 +7,12 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QDialog
 
+from app.engines.protocols import RecordingRequest
 from app.window.main_window import MainWindow
 from extensions.study.conductor import Phase
+from extensions.study.examples import protocol_path
 from extensions.study.folder import Study, start_study
 from extensions.study.progress import ACCEPTED
 from extensions.study.tests.studies import SHORT, write_protocol
@@ -137,3 +140,32 @@ def test_without_an_engine_no_trial_begins(window: MainWindow, study: Study, qtb
     click(dialog.next_button, qtbot)
     assert "Connect the glove" in dialog.detail.text()
     dialog.close()
+
+
+def test_a_touch_trial_is_the_windows_touch_test(
+    window: MainWindow, tmp_path: Path, recorders: list[MemoryRecorder], qtbot, monkeypatch
+) -> None:
+    """Its recording becomes the trial's file, and remains where the touch test wrote it."""
+    study = start_study(protocol_path("touch"), tmp_path / "study")
+    window.host.adopt(scripted_setup(ScriptedEngine(), recorders))
+    qtbot.waitUntil(lambda: window.host.running, timeout=PATIENCE_MS)
+    monkeypatch.setattr(
+        "extensions.study.window.dialog.verdict_job",
+        lambda path, step, limits: lambda progress: Verdict(Measured(duration=300.0)),
+    )
+    show_study(window.context, study, "P02")
+    (dialog,) = window.findChildren(StudyDialog)
+    click(dialog.next_button, qtbot)
+    reach(dialog, Phase.RUNNING, qtbot)
+    (touch,) = (d for d in window.findChildren(QDialog) if d.objectName() == "touch_test")
+    assert touch.isVisible() and window.store.value.participant == "P02"
+    assert window.host.recording.request is None, "the touch test records itself"
+    own = tmp_path / "touch-test.mcap"
+    assert window.host.recording.begin(RecordingRequest(own, "P02", "touch-test"))
+    window.host.recording.end()
+    reach(dialog, Phase.VERDICT, qtbot)
+    click(dialog.next_button, qtbot)
+    progress = study.progress("P02")
+    first = progress.trials[0]
+    assert progress.entry(first).state == ACCEPTED and own.is_file()
+    assert progress.path(first).samefile(own)

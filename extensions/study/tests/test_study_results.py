@@ -7,6 +7,7 @@ import json
 import shutil
 import subprocess
 import sys
+from datetime import UTC, datetime
 from pathlib import Path
 
 import numpy as np
@@ -20,7 +21,9 @@ from tests.notices import raises
 from tracker.base.errors import ConfigError, FileError
 from tracker.cli import main
 from tracker.hand.names import MARKED_KEYPOINTS
+from tracker.messages import Estimate
 from tracker.session.compare import truth_error_mm
+from tracker.session.reader import SessionReader
 
 
 @pytest.fixture(scope="module")
@@ -98,6 +101,24 @@ def test_a_reference_is_interpolated_but_not_over_gaps() -> None:
     assert at[:, 0, 0] == pytest.approx([np.nan, 0.05, 0.2, np.nan, 1.05, np.nan], nan_ok=True)
 
 
+def test_a_laboratorys_recording_is_the_reference(short_study: Study, tmp_path: Path) -> None:
+    """The estimates themselves, exported as C3D and imported again: the errors are almost zero."""
+    path = next(a.path for a in short_study.accepted() if a.step.task == "postures")
+    with SessionReader(path) as reader:
+        first = next(iter(reader.messages([Estimate])))
+        start = datetime.fromtimestamp(reader.anchor.wall(first.t) * 1e-9, UTC).isoformat()
+    c3d, whole = tmp_path / "lab.c3d", tmp_path / "with.mcap"
+    assert main(["export", str(path), "--format", "c3d", "-o", str(c3d)]) == 0
+    command = ["import-reference", str(c3d), str(path), "-o", str(whole), "--no-drift"]
+    assert main([*command, "--by", "clock", "--start", start]) == 0
+    truth = read_truth(whole)
+    assert truth is not None and truth.source == "reference"
+    trial = trial_of(whole, chosen((RECORDED,))[0], truth, 0)
+    assert len(trial.t) > 100 and np.nanmean(1e3 * trial.error) < 1.0
+    true = trial_of(path, chosen((RECORDED,))[0], read_truth(path) or truth, 0)
+    assert np.nanmean(1e3 * true.error) > 2.0
+
+
 def test_tables_and_report(
     short_study: Study, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -110,7 +131,8 @@ def test_tables_and_report(
     assert len(json.loads(numbers.read_text())["rows"]) == 20
     out = capsys.readouterr().out
     assert "Lee et al. 2021" in out and "10.69" in out
-    assert main(["study", "report", folder, "-o", str(tmp_path / "r")]) == 0
+    assert main(["study", "report", folder, "-o", str(tmp_path / "r"), "--movement"]) == 0
+    assert "P02" in (tmp_path / "r" / "movement.html").read_text("utf-8")
     page = (tmp_path / "r" / "report.html").read_text("utf-8")
     assert "4 of 4 trials accepted, 2 of 2 participants" in page
     assert page.count("sub-P0") == 4 and "SD between participants" in page
