@@ -8,10 +8,11 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from app.engines.demo_camera import DURATION, DemoChoice, demo_spec, start_camera
 from app.engines.engine import CameraPart, EngineSetup, GlovePart, LivePart, seen_from_main
-from app.engines.protocols import Plan, ReferenceHand
+from app.engines.protocols import ReferenceHand
 from app.engines.recording import recorder_maker
 from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
@@ -42,6 +43,9 @@ from tracker.simulation.truth_recorder import Prepare, WithTruth
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector
 from tracker.vision.rig import StereoRig
+
+if TYPE_CHECKING:
+    from app.engines.protocols import Plan
 
 LEAD = 0.25  # s until the devices begin: a recording begun at once is complete
 START_TIMEOUT = 120.0  # s, for a process that starts on a loaded machine

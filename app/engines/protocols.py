@@ -41,6 +41,10 @@ if TYPE_CHECKING:  # a window without a demo does not load the simulator
     from tracker.simulation.posture_requests import PostureRequest
     from tracker.simulation.scenario import Simulation
 
+    Plan: TypeAlias = Callable[[Simulation, float], Sequence[PostureRequest]]
+    """The postures for a simulated wearer to take from a time (s) on, at which the wearer can
+    begin."""
+
 
 @dataclass(frozen=True)
 class ReferenceHand:
@@ -116,10 +120,6 @@ class CommandedHand(Protocol):
         """Track with a second engine for comparison; None ends that."""
 
     def reference_estimate(self) -> Estimate | None: ...
-
-
-Plan: TypeAlias = "Callable[[Simulation, float], Sequence[PostureRequest]]"
-"""The postures for a simulated wearer to take from a time (s) on, at which the wearer can begin."""
 
 
 class SimulatedWearer(Protocol):

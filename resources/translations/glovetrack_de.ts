@@ -8996,6 +8996,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/touch/window/dialog.py" />
+      <source>Sheet of the touch test</source>
+      <translation>Blatt des Berührungstests</translation>
+    </message>
+    <message>
+      <location filename="extensions/touch/window/dialog.py" />
       <source>Touch the crosses of the printed sheet</source>
       <translation>Berühren Sie die Kreuze auf dem gedruckten Blatt</translation>
     </message>

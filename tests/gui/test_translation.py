@@ -99,10 +99,11 @@ NOT_SHOWN = {
     "none is open",  # for who reads a bug report
     "● 19 of about 9 ",  # the widest count, which a column is made for
     "Hz",  # a unit
+    "font-size: pt",  # of a style sheet
     "window command",  # for the log file
     "Optiboot", "old Nano", "postures asked for",  # keys
     "UDP (JSON)", "WebSocket (JSON)", "Lab Streaming Layer", "Foxglove",  # names
-    "*.png *.jpg *.jpeg *.bmp *.tif", "*.yml *.yaml *.xml *.json",
+    "*.png *.jpg *.jpeg *.bmp *.tif", "*.yml *.yaml *.xml *.json *.toml",
 }  # fmt: skip
 SENTENCE = re.compile(r"[A-Za-z]{2}[^A-Za-z]* [^A-Za-z]*[A-Za-z]{2}|^[A-Z][a-z]+$")
 KEYS = re.compile(r"(Ctrl|Shift|Alt)\+\S*|Space|Del|Fusion|Glovetrack")

@@ -146,7 +146,7 @@ class TouchDialog(QDialog):
 
         try:
             with whole_file(path, force=True) as part:
-                save_pages(touch_pages(), part, "Sheet of the touch test")
+                save_pages(touch_pages(), part, self.tr("Sheet of the touch test"))
         except GlovetrackError as error:
             self.how.setText(error_text(error))
         else:
