@@ -15,6 +15,7 @@ from tracker.streaming.registry import StreamKind
 @dataclass(frozen=True)
 class IsaacOptions:
     file: str = option("", "the new file of the record")
+    tips: bool = option(True, "whether wrist and fingertips are also trackers of their own")
 
 
 def _make(options: IsaacOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
@@ -23,7 +24,7 @@ def _make(options: IsaacOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
     if not options.file:
         raise StreamError("Specify a file for the Isaac record: isaac:take.mcap.")
     first, *others = (names.with_openxr() for names in hands)
-    record = IsaacPublisher(first, Path(options.file))
+    record = IsaacPublisher(first, Path(options.file), tips=options.tips)
     yield record
     yield from map(record.beside, others)
 

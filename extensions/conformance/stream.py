@@ -22,15 +22,20 @@ from tracker.streaming.publisher import Names, OtherHand, StreamError
 class IsaacPublisher:
     """Writes to a new file, which is complete once the publisher is closed.
 
+    ``tips``: also write the wrist and each fingertip as a tracker of its own.
     Raises StreamError if the file exists or cannot be created, or if ``names`` lack OpenXR's radii.
     """
 
     def __init__(
-        self, names: Names, path: Path, clock_ns: Callable[[], int] = time.monotonic_ns
+        self,
+        names: Names,
+        path: Path,
+        clock_ns: Callable[[], int] = time.monotonic_ns,
+        tips: bool = False,
     ) -> None:
         if not names.openxr:
             raise StreamError("The Isaac record requires OpenXR's joints.")
-        self._names, self._clock_ns = names, clock_ns
+        self._names, self._clock_ns, self._tips = names, clock_ns, tips
         self.name = f"Isaac record {path.name}"
         try:
             self._file = path.open("xb")
@@ -56,9 +61,11 @@ class IsaacPublisher:
             raise StreamError("the Isaac record is closed")
         sample = round(estimate.t * 1e9)
         available = self._last = max(self._clock_ns(), sample, self._last)
-        joints = joints_of(openxr_of(estimate, names))
+        hand = openxr_of(estimate, names)
         stamps = Stamps(available, sample, sample)
-        self._writer.write(names.side, HandRecord(stamps, joints))
+        self._writer.write(names.side, HandRecord(stamps, joints_of(hand)))
+        if self._tips:
+            self._writer.write_tips(names.side, stamps, hand)
 
     def close(self) -> None:
         with self._writing:

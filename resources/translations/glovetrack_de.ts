@@ -9320,6 +9320,11 @@ change {}: {}</source>
       <translation>Isaac-Handdaten (MCAP)</translation>
     </message>
     <message>
+      <location filename="glovetrack.streams" />
+      <source>whether wrist and fingertips are also trackers of their own</source>
+      <translation>ob Handgelenk und Fingerspitzen auch eigene Tracker sind</translation>
+    </message>
+    <message>
       <location filename="glovetrack.remote" />
       <source>UDP (JSON, words)</source>
       <translation>UDP (JSON, Wörter)</translation>

@@ -1,19 +1,21 @@
-"""The binary schema of `core.HandPoseRecord`, which readers expect in the file.
+"""The binary schemas of `core.HandPoseRecord` and `core.Se3TrackerPoseRecord`, for readers.
 
-Source: names, types and ids of NVIDIA/IsaacTeleop, src/core/schema/fbs/{hand,pose,point,quaternion,
-timestamp}.fbs; the form of a binary schema is google/flatbuffers, reflection/reflection.fbs, whose
-field numbers are given next to each value. No flatbuffers compiler is needed.
+Source: names, types and ids of NVIDIA/IsaacTeleop, src/core/schema/fbs/{hand,se3_tracker,pose,
+point,quaternion,timestamp}.fbs; the form of a binary schema is google/flatbuffers,
+reflection/reflection.fbs, whose field numbers are given next to each value. No flatbuffers compiler
+is needed.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from typing import NamedTuple
 
 import flatbuffers
 
 NAME = "core.HandPoseRecord"
+SE3_POSE, SE3 = "core.Se3TrackerPose", "core.Se3TrackerPoseRecord"
 JOINTS = 26
 
 BOOL, LONG, FLOAT, OBJECT, ARRAY = 2, 9, 11, 15, 17  # reflection.BaseType
@@ -71,16 +73,30 @@ _OBJECTS = (
     _Object("core.Quaternion", tuple(
         _Field(axis, FLOAT, i, 4 * i) for i, axis in enumerate("xyzw")
     ), 4, 16),
+    _Object("core.Se3TrackerPose", (
+        _Field("pose", OBJECT, 0, 4, 0, "core.Pose"),
+        _Field("is_valid", BOOL, 1, 6),
+    ), 1, 0),
+    _Object("core.Se3TrackerPoseRecord", (
+        _Field("data", OBJECT, 0, 4, 0, "core.Se3TrackerPose"),
+        _Field("timestamp", OBJECT, 1, 6, 0, "core.DeviceDataTimestamp"),
+    ), 1, 0),
 )  # fmt: skip
-"""Sorted by name, because readers use binary search."""
-_ROW = {o.name: i for i, o in enumerate(_OBJECTS)}
+_SIZES = {o.name: o.size for o in _OBJECTS}
+_ROOTS = {
+    NAME: {o.name for o in _OBJECTS if not o.name.startswith("core.Se3")},
+    SE3: {"core.DeviceDataTimestamp", "core.Point", "core.Pose", "core.Quaternion", SE3_POSE, SE3},
+}
+"""Objects of each schema."""
 
 
 @cache
-def binary_schema() -> bytes:
-    """The binary schema (.bfbs) of `NAME`."""
+def binary_schema(root: str = NAME) -> bytes:
+    """The binary schema (.bfbs) of `NAME` or `SE3`."""
     b = flatbuffers.Builder(2048)
-    objects = [_object(b, o) for o in _OBJECTS]
+    used = [o for o in _OBJECTS if o.name in _ROOTS[root]]  # by name: readers use binary search
+    row = {o.name: i for i, o in enumerate(used)}
+    objects = [_object(b, o, row) for o in used]
     rows, enums = _vector(b, objects), _vector(b, [])
     nothing = b.CreateString("")
     b.StartObject(8)  # reflection.Schema
@@ -89,15 +105,15 @@ def binary_schema() -> bytes:
         (1, enums),
         (2, nothing),
         (3, nothing),
-        (4, objects[_ROW[NAME]]),
+        (4, objects[row[root]]),
     ):
         b.PrependUOffsetTRelativeSlot(slot, offset, 0)
     b.Finish(b.EndObject(), file_identifier=b"BFBS")
     return bytes(b.Output())
 
 
-def _object(b: flatbuffers.Builder, o: _Object) -> int:
-    fields = _vector(b, [_field(b, f, bool(o.size)) for f in sorted(o.fields)])
+def _object(b: flatbuffers.Builder, o: _Object, row: Mapping[str, int]) -> int:
+    fields = _vector(b, [_field(b, f, bool(o.size), row) for f in sorted(o.fields)])
     name = b.CreateString(o.name)
     b.StartObject(8)  # reflection.Object
     b.PrependUOffsetTRelativeSlot(0, name, 0)
@@ -108,8 +124,8 @@ def _object(b: flatbuffers.Builder, o: _Object) -> int:
     return int(b.EndObject())
 
 
-def _field(b: flatbuffers.Builder, f: _Field, of_struct: bool) -> int:
-    name, kind = b.CreateString(f.name), _type(b, f)
+def _field(b: flatbuffers.Builder, f: _Field, of_struct: bool, row: Mapping[str, int]) -> int:
+    name, kind = b.CreateString(f.name), _type(b, f, row)
     b.StartObject(14)  # reflection.Field
     b.PrependUOffsetTRelativeSlot(0, name, 0)
     b.PrependUOffsetTRelativeSlot(1, kind, 0)
@@ -120,15 +136,15 @@ def _field(b: flatbuffers.Builder, f: _Field, of_struct: bool) -> int:
     return int(b.EndObject())
 
 
-def _type(b: flatbuffers.Builder, f: _Field) -> int:
+def _type(b: flatbuffers.Builder, f: _Field, row: Mapping[str, int]) -> int:
     array = f.kind == ARRAY
     b.StartObject(6)  # reflection.Type
     b.PrependInt8Slot(0, f.kind, 0)
     b.PrependInt8Slot(1, OBJECT if array else 0, 0)
-    b.PrependInt32Slot(2, _ROW[f.of] if f.of else -1, -1)
+    b.PrependInt32Slot(2, row[f.of] if f.of else -1, -1)
     b.PrependUint16Slot(3, JOINTS if array else 0, 0)
     b.PrependUint32Slot(4, _SIZE.get(f.kind, 4), 4)
-    b.PrependUint32Slot(5, _OBJECTS[_ROW[f.of]].size if array else 0, 0)
+    b.PrependUint32Slot(5, _SIZES[f.of] if array else 0, 0)
     return int(b.EndObject())
 
 

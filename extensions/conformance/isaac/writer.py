@@ -8,10 +8,12 @@ from typing import BinaryIO
 
 from mcap.writer import CompressionType, Writer
 
-from extensions.conformance.isaac.record import HandRecord, encode
-from extensions.conformance.isaac.schema import NAME, binary_schema
+from extensions.conformance.isaac.record import HandRecord, Stamps, encode
+from extensions.conformance.isaac.schema import NAME, SE3, binary_schema
+from extensions.conformance.isaac.tips import CHANNELS, collection, tip_records
 from tracker import __version__
 from tracker.hand.names import SIDES
+from tracker.hand.openxr import OpenXrHand
 
 ENCODING = "flatbuffer"
 
@@ -34,6 +36,8 @@ class IsaacWriter:
         self._channels = {
             side: self._writer.register_channel(topic(side), ENCODING, schema) for side in SIDES
         }
+        self._tips: dict[tuple[str, str], list[int]] = {}
+        self._se3 = 0
         self._sequence = 0
 
     def write(self, side: str, record: HandRecord) -> None:
@@ -41,6 +45,24 @@ class IsaacWriter:
         stamp = record.stamps.available
         self._writer.add_message(self._channels[side], stamp, encode(record), stamp, self._sequence)
         self._sequence += 1
+
+    def write_tips(self, side: str, stamps: Stamps, hand: OpenXrHand) -> None:
+        """Add the poses of wrist and fingertips as SE(3) trackers, at their available time."""
+        for name, data in tip_records(hand, stamps).items():
+            for channel in self._tip_channels(side, name):
+                self._writer.add_message(
+                    channel, stamps.available, data, stamps.available, self._sequence
+                )
+        self._sequence += 1
+
+    def _tip_channels(self, side: str, name: str) -> list[int]:
+        if (side, name) not in self._tips:
+            if not self._tips:
+                self._se3 = self._writer.register_schema(SE3, ENCODING, binary_schema(SE3))
+            topics = [f"{collection(side, name)}/{channel}" for channel in CHANNELS]
+            register = self._writer.register_channel
+            self._tips[side, name] = [register(t, ENCODING, self._se3) for t in topics]
+        return self._tips[side, name]
 
     def finish(self) -> None:
         """Write the index, without which most readers treat the file as truncated."""

@@ -11,6 +11,7 @@ from numpy.testing import assert_allclose
 
 from extensions.conformance.isaac.reader import read_records
 from extensions.conformance.isaac.record import HandRecord, Stamps, decode, encode, joints_of
+from extensions.conformance.isaac.schema import SE3, binary_schema
 from extensions.conformance.isaac.writer import IsaacWriter
 from tests.fixtures import RESOURCES
 from tracker.base.errors import FileError
@@ -116,17 +117,17 @@ def test_the_file_is_uncompressed_and_its_schema_is_nvidias(tmp_path: Path) -> N
     assert described(schema.data) == described(theirs[0])
 
 
-def embedded_schemas() -> list[bytes]:
-    """Binary schemas in NVIDIA's libraries whose root is the hand's record."""
+def embedded_schemas(name: str = "core.HandPoseRecord") -> list[bytes]:
+    """Binary schemas in NVIDIA's libraries whose root is a record."""
     out = []
     for library in Path(deviceio.__file__).parents[1].rglob("*.so"):
         data = library.read_bytes()
         at = data.find(b"BFBS")
         while at >= 0:
             start = data[at - 4 : at - 4 + 65536]
-            if b"core.HandPoseRecord" in start[:4096]:
+            if name.encode() in start[:4096]:
                 try:
-                    if root_name(start) == "core.HandPoseRecord":
+                    if root_name(start) == name:
                         out.append(start)
                 except (IndexError, ValueError, UnicodeDecodeError):
                     pass
@@ -248,7 +249,50 @@ def test_a_live_record_is_replayed_and_nothing_is_overwritten(tmp_path: Path, ha
     for found, hand_then in zip(replayed(path, 3), wanted, strict=True):
         assert_allclose(found["right"][0], np.float32(hand_then.position))
         assert found["left"] is None
+    with path.open("rb") as file:
+        topics = {c.topic for c in make_reader(file).get_summary().channels.values()}
+    assert "glovetrack_right_index_tip/se3_tracker_tracked" in topics
     stamps = [r.stamps for _, r in read_records(path)]
     assert all(s.available >= s.sample for s in stamps)
     with pytest.raises(StreamError, match="Specify a file"):
         open_streams(StreamSettings({"isaac": True}), names)
+
+
+def test_the_schema_of_trackers_is_nvidias() -> None:
+    theirs = embedded_schemas(SE3)
+    if not theirs:
+        pytest.skip("this build of isaacteleop holds no schema of trackers")
+    assert described(binary_schema(SE3)) == described(theirs[0])
+
+
+def test_fingertips_are_named_trackers_in_nvidias_replay(tmp_path: Path) -> None:
+    """Each tip by its collection's name, with a flag where it is lost; hands are read as before."""
+    path = tmp_path / "tips.mcap"
+    series = [posed("right", 1), posed("right", 2, "index_tip"), posed("right", 3)]
+    with path.open("wb") as file:
+        writer = IsaacWriter(file)
+        for k, hand in enumerate(series):
+            stamps = Stamps(10_000_000 * k + 3_000_000, 10_000_000 * k, 17 + k)
+            writer.write("right", HandRecord(stamps, joints_of(hand)))
+            writer.write_tips("right", stamps, hand)
+        writer.finish()
+    names = ("wrist", "thumb_tip", "index_tip", "middle_tip", "ring_tip", "little_tip")
+    theirs = pytest.importorskip("isaacteleop.deviceio_trackers")
+    trackers = {n: theirs.Se3Tracker(f"glovetrack_right_{n}") for n in names}
+    given = [(tracker, f"glovetrack_right_{n}") for n, tracker in trackers.items()]
+    with deviceio.ReplaySession.run(deviceio.McapReplayConfig(str(path), given)) as session:
+        for hand in series:
+            session.update()
+            for name, tracker in trackers.items():
+                data = tracker.get_data(session)
+                data = getattr(data, "data", data)
+                row = JOINTS.index(name)
+                lost = hand.state[row] == Validity.LOST
+                assert data.is_valid == (not lost)
+                if lost:
+                    continue
+                p, q = data.pose.position, data.pose.orientation
+                assert_allclose([p.x, p.y, p.z], np.float32(hand.position[row]))
+                assert_allclose([q.x, q.y, q.z, q.w], np.float32(hand.orientation[row]))
+    found = replayed(path, 3)
+    assert_allclose(found[0]["right"][0], np.float32(series[0].position))
