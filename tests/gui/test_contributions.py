@@ -96,7 +96,8 @@ def test_a_command_follows_another_one_in_its_menu(window):
 
 
 def test_other_commands_have_a_menu_of_their_own(window):
-    assert menu_of(window, "never") == ["E&xtensions", "Never"]
+    title, *texts = menu_of(window, "never")
+    assert title == "E&xtensions" and "Never" in texts
     assert not window.commands.actions["never"].isEnabled()
 
 
