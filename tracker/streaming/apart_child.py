@@ -17,6 +17,7 @@ from tracker.streaming.registry import STREAMS, close_all, open_stream
 from tracker.streaming.streams import Streams, delivery
 
 COUNT_EVERY = 0.5  # s
+CLOSE_WAIT = 10.0  # s for what waits in a queue, on a loaded computer; then its port is free
 
 
 def serve(pipe: Connection) -> None:
@@ -46,7 +47,7 @@ class _Open:
 
     def close(self) -> None:
         for each in self.streams:
-            each.close()
+            each.close(CLOSE_WAIT)
         if not self.streams:
             close_all(self.publishers)
 

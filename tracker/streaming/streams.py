@@ -108,12 +108,12 @@ class Streams:
     def counts(self) -> tuple[StreamCounts, ...]:
         return tuple(output.counts() for output in self._outputs)
 
-    def close(self) -> None:
-        """End all outputs; one that hangs is left behind after a second. May be called again."""
+    def close(self, wait: float = END_WAIT) -> None:
+        """End all outputs; one that hangs is left behind after ``wait`` s. May be called again."""
         for output in self._outputs:
             output.queue.close()
         for output in self._outputs:
-            output.thread.join(END_WAIT)
+            output.thread.join(wait)
 
 
 class _Turn:
