@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import threading
 from functools import partial
 from multiprocessing.connection import Connection
@@ -17,11 +18,14 @@ from tracker.streaming.registry import STREAMS, close_all, open_stream
 from tracker.streaming.streams import Streams, delivery
 
 COUNT_EVERY = 0.5  # s
+NICE = 5
 CLOSE_WAIT = 10.0  # s for what waits in a queue, on a loaded computer; then its port is free
 
 
 def serve(pipe: Connection) -> None:
     """Until the other end says so, or is gone."""
+    if hasattr(os, "nice"):  # where processors are short, tracking goes before its streams
+        os.nice(NICE)
     desk = _Desk(pipe)
     try:
         while True:
