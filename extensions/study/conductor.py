@@ -214,7 +214,7 @@ class Conductor:
             try:
                 self._station.begin(path, step)
             except BaseException:
-                self.progress.repeat(step, "interrupted")
+                self.progress.withdraw(step)
                 raise
         self._change(Phase.RUNNING, t)
         self._show_cues(t)

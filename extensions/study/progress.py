@@ -107,6 +107,16 @@ class Progress:
         self.save()
         return path
 
+    def withdraw(self, step: Step) -> None:
+        """The trial's recording could not begin: it does not count as a try."""
+        if os.path.lexists(self.path(step)):
+            self.repeat(step, "interrupted")
+            return
+        entry = self.entry(step)
+        entry.tries.pop()
+        entry.state = OPEN
+        self.save()
+
     def recorded(self, step: Step) -> None:
         """The file of a trial is complete."""
         self.entry(step).state = RECORDED

@@ -200,7 +200,8 @@ def test_a_trial_that_cannot_be_recorded_does_not_begin(
     with pytest.raises(DeviceError):
         run(conductor, t, 1.6)
     assert conductor.phase is Phase.READY and conductor.step == step
-    assert conductor.progress.entry(step).state == OPEN
+    entry = conductor.progress.entry(step)
+    assert entry.state == OPEN and entry.tries == []
     station.refuses = False
     conductor.go_on(t + 2)
     run(conductor, t + 2, 1.6)

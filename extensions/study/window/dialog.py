@@ -165,9 +165,10 @@ class StudyDialog(QDialog):
         try:
             work()
         except GlovetrackError as error:
-            self._host.error.emit(error_text(error))
             if self.conductor is not None and self.conductor.phase is Phase.READY:
                 self._say(error_text(error))
+            else:
+                self._host.error.emit(error_text(error))
 
     # --- recordings
 
