@@ -172,6 +172,18 @@ def test_landmarks_have_mediapipes_order() -> None:
     assert LANDMARKS[20] == "little_tip"
 
 
+def test_the_test_button_says_whether_a_program_receives(make_estimate, dated: Names) -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
+        client.bind((LOOPBACK, 0))
+        table = {"poses": True, "poses_port": client.getsockname()[1]}
+        (out,) = open_streams(StreamSettings(table), [dated])["poses"]
+        assert out.probe().code == "stream.test_nothing"
+        out.send(make_estimate())
+        assert out.probe().code == "stream.test_udp"
+    with contextlib.closing(out):
+        assert out.probe().code == "stream.test_refused"
+
+
 def test_options_are_checked(dated: Names) -> None:
     with pytest.raises(StreamError, match="moon"):
         open_streams(with_streams(StreamSettings(), "poses?frame=moon"), [dated])
