@@ -1,7 +1,8 @@
 """Reads all live streams of this computer, as the programs do for which they are meant.
 
 ``python -m app.tools.stream_readers udp=9750 websocket=9751 …`` reads until its input ends, in a
-process of its own, and prints how many messages it received of each as JSON.
+process of its own, and prints how many messages it received of each as JSON: after each line of
+input, and at the end.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from collections.abc import Callable, Sequence
 
 LOOPBACK = "127.0.0.1"
 AGAIN = 0.2  # s between attempts to connect
-DATAGRAMS = ("udp", "vmc", "vmt", "hts", "mediapipe")
+DATAGRAMS = ("udp", "vmc", "vmt", "hts", "mediapipe", "poses")
 FOXGLOVE = "foxglove.sdk.v1"
 Count = Callable[[], None]
 
@@ -29,7 +30,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         if read is not None:
             args = (read, int(port), lambda name=name: counts.update([name]), ended)
             threading.Thread(target=_again, args=args, daemon=True).start()
-    sys.stdin.read()
+    for _ in sys.stdin:
+        print(json.dumps(counts), flush=True)
     ended.set()
     print(json.dumps(counts))
     return 0
