@@ -29,6 +29,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.engines.demo_camera import DemoChoice, start_camera
 from app.platform.process_tuning import tune_process
+from app.tools import stream_readers
 from app.tools.soak import SIZE, START_TIMEOUT
 from tracker.base.files import check_target, write_whole
 from tracker.base.terminal import add_force
@@ -177,7 +178,7 @@ def _free_ports(count: int) -> list[int]:
 
 def _start_readers(window: MainWindow, names: Sequence[str]) -> subprocess.Popen[str]:
     ports = [f"{name}={window.outputs.port(name) or 0}" for name in names]
-    command = [sys.executable, "-m", "app.tools.stream_readers", *ports]
+    command = [sys.executable, "-m", stream_readers.__name__, *ports]
     return subprocess.Popen(
         command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
     )
