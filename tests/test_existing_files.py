@@ -40,7 +40,7 @@ NOT_WRITTEN = {
     *("--remote", "--remote-host", "--send", "--set", "--settings", "--stream", "--stream-host"),
     *("words", "--task", "--to", "--views", "--wearer", "--model", "--kinds", "--by", "--gaps"),
     *("--folder", "--only", "reference", "--mapping", "--start", "--pulse", "--side", "model"),
-    "--fingers",
+    *("--fingers", "protocol", "--participant", "--variants"),
 }
 """Those that name what is read, devices, addresses, and other text."""
 
@@ -141,6 +141,8 @@ ELSEWHERE |= {("evaluate shutter", "--json"), ("evaluate touch", "--json")}  # m
 ELSEWHERE |= {("touch-test", "--output"), ("touch-test", "--json"), ("room align", "--out")}
 ELSEWHERE |= {("import-reference", "--output"), ("import-reference", "--json")}  # longer movement
 ELSEWHERE |= {("accuracy", "--output"), ("accuracy", "--json")}
+ELSEWHERE |= {(f"study {name}", "--json") for name in ("check", "status", "tables", "export")}
+ELSEWHERE |= {(f"study {name}", "--output") for name in ("report", "tables", "export")}
 ELSEWHERE |= {("imu-noise", "--out"), ("imu-noise", "--json")}  # a minute at rest
 ELSEWHERE |= {(opens, "--out") for opens in ("window", "demo", "devices")}
 """Options whose tests are of their own, below."""

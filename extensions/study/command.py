@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from tracker.base.command import Command, UsageError
 from tracker.base.errors import ConfigError
 from tracker.base.notices import failure
-from tracker.base.terminal import add_json, check_json, finish, printable
+from tracker.base.terminal import add_force, add_json, check_json, finish, printable
 
 if TYPE_CHECKING:
     from extensions.study.folder import Study
@@ -28,7 +28,7 @@ def _add_protocol(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_folder(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("folder", type=Path, metavar="DIR", help="folder of the study")
+    parser.add_argument("source", type=Path, metavar="DIR", help="folder of the study")
 
 
 # ---- check
@@ -115,7 +115,7 @@ def _status(args: argparse.Namespace) -> None:
     from extensions.study.overview import lines_of_status, status_as_json
 
     check_json(args)
-    study = open_study(args.folder)
+    study = open_study(args.source)
     finish(args, status_as_json(study), lines_of_status(study))
 
 
@@ -149,8 +149,8 @@ def _tables(args: argparse.Namespace) -> None:
     with _other_extension("evaluation"):
         from extensions.study import retrack, tables
 
-    study = open_study(args.folder)
-    out = args.output or args.folder / "tables.csv"
+    study = open_study(args.source)
+    out = args.output or args.source / "tables.csv"
     check_json(args)
     check_target(out, args.force or args.output is None)
     names = tuple(n.strip() for n in args.variants.split(",") if n.strip())
@@ -174,8 +174,9 @@ def _add_report(parser: argparse.ArgumentParser) -> None:
         "--output",
         type=Path,
         metavar="OUT",
-        help="folder of the report (default: DIR/report)",
+        help="folder of the report (default: DIR/report, whose files are replaced)",
     )
+    add_force(parser)
     parser.add_argument(
         "--movement",
         action="store_true",
@@ -187,9 +188,12 @@ def _report(args: argparse.Namespace) -> None:
     from extensions.study.folder import open_study
     from extensions.study.report import write_movement
     from extensions.study.results import write_report
+    from tracker.base.files import check_folder_target
 
-    study = open_study(args.folder)
-    folder = args.output or args.folder / "report"
+    study = open_study(args.source)
+    folder = args.output or args.source / "report"
+    if args.output is not None:
+        check_folder_target(folder, args.force)
     print(write_report(study, folder))
     if args.movement:
         write_movement(study, folder / "movement.html")
@@ -219,7 +223,7 @@ def _export(args: argparse.Namespace) -> None:
         from extensions.study.export import export_study
 
     check_json(args)
-    study = open_study(args.folder)
+    study = open_study(args.source)
     options = ExportOptions(anonymous=("time", "notes") if args.anonymous else ())
     count = export_study(study, args.output, options, args.force, progress_line("exporting"))
     result = {"recordings": count, "folder": str(args.output)}

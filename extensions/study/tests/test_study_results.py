@@ -139,6 +139,28 @@ def test_tables_and_report(
     assert "Errors against the reference" in page and "Lee et al. 2021" in page
 
 
+def test_no_command_replaces_a_file_without_force(short_study: Study, tmp_path: Path) -> None:
+    folder, mine = str(short_study.folder), tmp_path / "mine.txt"
+    full = tmp_path / "full"
+    full.mkdir()
+    for path in (mine, full / "report.html"):
+        path.write_text("mine")
+    protocol = str(short_study.folder / "protocol" / "protocol.toml")
+    for words in (
+        ["check", protocol, "--json", str(mine)],
+        ["status", folder, "--json", str(mine)],
+        ["tables", folder, "-o", str(mine)],
+        ["tables", folder, "-o", str(tmp_path / "t.csv"), "--json", str(mine)],
+        ["report", folder, "-o", str(full)],
+        ["export", folder, "-o", str(full)],
+        ["export", folder, "-o", str(tmp_path / "new"), "--json", str(mine)],
+    ):
+        assert main(["study", *words]) == 1, words
+    assert mine.read_text() == (full / "report.html").read_text() == "mine"
+    assert main(["study", "status", folder, "--json", str(mine), "--force"]) == 0
+    assert "participants" in json.loads(mine.read_text())
+
+
 def test_the_official_validator_accepts_the_data_set(short_study: Study, tmp_path: Path) -> None:
     out = tmp_path / "bids"
     assert main(["study", "export", str(short_study.folder), "-o", str(out)]) == 0
