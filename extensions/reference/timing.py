@@ -69,9 +69,10 @@ def by_pulse(ours: Sequence[float], theirs: Sequence[float]) -> Timing:
     Raises FileError if no offset, or more than one, lets most of them match.
     """
     a, b = np.sort(np.asarray(ours, float)), np.sort(np.asarray(theirs, float))
-    for found, code in ((a, "reference.no_pulses"), (b, "reference.no_pulses_in_file")):
-        if len(found) == 0:
-            raise FileError(notice(code))
+    if len(a) == 0:
+        raise FileError(notice("reference.no_pulses"))
+    if len(b) == 0:
+        raise FileError(notice("reference.no_pulses_in_file"))
     pairs = _matching(a, b)
     x, y = b[pairs[:, 1]], a[pairs[:, 0]]
     if len(x) < 3:

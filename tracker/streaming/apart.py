@@ -28,8 +28,11 @@ from tracker.streaming.streams import StreamCounts
 START_WAIT = 60.0  # s for the process to import what a stream needs, on a loaded computer
 ANSWER_WAIT = 15.0  # s for a test or the end of a stream
 END_WAIT = 3.0  # s for the process to end by itself
-ENDED = "stream.process_ended"
 _log = logging.getLogger(__name__)
+
+
+def _has_ended() -> StreamError:
+    return StreamError(failure("stream.process_ended"))
 
 
 class StreamsProcess:
@@ -104,11 +107,11 @@ class StreamsProcess:
     def _send(self, item: object) -> None:
         with self._sending:
             if self.ended:
-                raise StreamError(failure(ENDED))
+                raise _has_ended()
             try:
                 self._pipe.send(item)
             except (OSError, ValueError) as error:
-                raise StreamError(failure(ENDED)) from error
+                raise _has_ended() from error
 
     def _read(self) -> None:
         try:
@@ -117,7 +120,7 @@ class StreamsProcess:
         except (EOFError, OSError):
             self.ended = True
             for future in list(self._waiting.values()):
-                future.set_exception(StreamError(failure(ENDED)))
+                future.set_exception(_has_ended())
             self._pipe.close()
 
     def _take(self, item: object) -> None:
@@ -150,7 +153,7 @@ class ApartStream:
         """Of each hand."""
         found = self._process.counts(self._key)
         if self._process.ended:
-            ended = str(StreamError(failure(ENDED)))
+            ended = str(_has_ended())
             return tuple(StreamCounts(title, 0, 0, 0, ended) for title in self.titles)
         return found or tuple(StreamCounts(title, 0, 0, 0, "") for title in self.titles)
 

@@ -90,8 +90,9 @@ class GuidedMovement:
         if not self._samples:
             raise AlignmentError(failure("room.no_packets"))
         if not poses:
-            code = "room.only_positions" if self._poses else "room.not_received"
-            raise AlignmentError(failure(code, name=self._name))
+            if self._poses:
+                raise AlignmentError(failure("room.only_positions", name=self._name))
+            raise AlignmentError(failure("room.not_received", name=self._name))
         track = Track(
             np.array([t for t, _ in poses]),
             np.array([p.p for _, p in poses]),
