@@ -3,6 +3,8 @@ executed."""
 
 from __future__ import annotations
 
+import threading
+from collections import Counter, defaultdict
 from collections.abc import Callable
 from functools import partial
 from typing import Generic, Protocol, TypeVar
@@ -26,8 +28,11 @@ class Openings(Generic[T]):
         self._tasks, self._changed = tasks, changed
         self.problems: dict[str, str] = {}
         self._open: dict[str, T] = {}
-        self._fresh: list[T] = []  # open, but not yet passed to ``use``
+        self._fresh: dict[tuple[str, int], T] = {}  # by name and number; not yet passed to ``use``
+        self._jobs: Counter[str] = Counter()  # that have not ended
         self._wanted: dict[str, int] = {}  # number of the latest request for each name
+        self._opening: dict[str, threading.Lock] = defaultdict(threading.Lock)
+        self._stale: dict[str, list[T]] = defaultdict(list)  # to be closed by the next job
 
     def get(self, name: str) -> T | None:
         """The resource open under a name."""
@@ -38,36 +43,58 @@ class Openings(Generic[T]):
     ) -> None:
         """Close the resource open under ``name``, then open the result of ``make``: in one job,
         since both may block, and the new resource may need the port of the old one. ``use`` is
-        called in the window's thread; if it returns False, the resource is closed."""
+        called in the window's thread; if it returns False, the resource is closed. A request that
+        a newer one follows opens nothing, or is closed before the newer one opens anything."""
         wish = self._wanted[name] = self._wanted.get(name, 0) + 1
         self.problems.pop(name, None)
         before = self._open.pop(name, None)
 
+        opening, stale = self._opening[name], self._stale[name]
+        if before is not None:
+            stale.append(before)
+
         def job(progress: JobProgress) -> T | None:
-            if before is not None:  # first, so that a cancelled job does not leave it open
-                before.close()
-            progress(-1.0, name)
-            if make is None:
-                return None
-            made = make()
-            self._fresh.append(made)
+            with opening:
+                while stale:  # first, so that a cancelled job does not leave it open
+                    stale.pop().close()
+                self._close_outdated(name, wish)
+                progress(-1.0, name)
+                if make is None or wish != self._wanted[name]:
+                    return None
+                made = make()
+                self._fresh[name, wish] = made
             return made
 
-        if before is not None or make is not None:
-            done = partial(self._opened, name, wish, use)
-            self._tasks.run(title, job, done=done, failed=partial(self._failed, name, wish))
+        if before is not None or make is not None or self._jobs[name]:
+            self._jobs[name] += 1
+            self._tasks.run(
+                title,
+                job,
+                done=partial(self._opened, name, wish, use),
+                failed=partial(self._failed, name, wish),
+                ended=partial(self._end, name),
+            )
         self._changed()
 
     def _opened(self, name: str, wish: int, use: Callable[[T], bool], made: T | None) -> None:
-        """Use the resource, unless there is a newer request or all were closed."""
-        if made is None or made not in self._fresh:
+        """Use the resource, unless all were closed or there is a newer request, whose job closes
+        it."""
+        if made is None or wish != self._wanted[name] or (name, wish) not in self._fresh:
             return
-        self._fresh.remove(made)
-        if wish != self._wanted[name] or not use(made):
+        del self._fresh[name, wish]
+        if not use(made):
             made.close()
             return
         self._open[name] = made
         self._changed()
+
+    def _end(self, name: str) -> None:
+        self._jobs[name] -= 1
+
+    def _close_outdated(self, name: str, wish: int) -> None:
+        """Close what was opened under ``name`` for an older request; called in a job."""
+        for key in [k for k in list(self._fresh) if k[0] == name and k[1] < wish]:
+            self._fresh.pop(key).close()
 
     def _failed(self, name: str, wish: int, text: str) -> None:
         if wish == self._wanted[name]:
@@ -76,7 +103,7 @@ class Openings(Generic[T]):
 
     def shut_down(self) -> None:
         """After the last job: close all resources, including those not yet in use."""
-        for each in (*self._open.values(), *self._fresh):
+        for each in (*self._open.values(), *self._fresh.values()):
             each.close()
         self._open.clear()
         self._fresh.clear()

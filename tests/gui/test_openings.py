@@ -1,6 +1,7 @@
 """Resources opened and closed in jobs: in order, once, and never left open."""
 
 import threading
+from functools import partial
 
 import pytest
 
@@ -48,19 +49,43 @@ def test_a_resource_is_closed_before_it_is_opened_again(openings, qtbot):
 
 
 def test_a_resource_no_longer_needed_is_closed_after_opening(openings, qtbot):
-    log, go = [], threading.Event()
+    log, begun, go = [], threading.Event(), threading.Event()
 
     def slowly() -> Port:
+        begun.set()
         go.wait(10.0)
         return Port(log, "slow")
 
     openings.renew("a", "a", slowly, lambda port: True)
+    assert begun.wait(10.0)
     openings.renew("a", "a", None, lambda port: True)
     go.set()
     qtbot.waitUntil(lambda: log == ["opened slow", "closed slow"])
     openings.renew("a", "a", lambda: Port(log, "refused"), lambda port: False)
     qtbot.waitUntil(lambda: log[2:] == ["opened refused", "closed refused"])
     assert openings.get("a") is None
+
+
+def test_requests_in_quick_succession_leave_the_last_one_open(openings, qtbot):
+    """Each job has a thread of its own; whichever runs first, no two resources are open at once."""
+    log: list[str] = []
+    go = threading.Event()
+
+    def made(k: int) -> Port:
+        go.wait(10.0)
+        return Port(log, str(k))
+
+    openings.renew("a", "a", lambda: Port(log, "first"), lambda port: True)
+    qtbot.waitUntil(lambda: openings.get("a") is not None)
+    for k in range(6):
+        openings.renew("a", "a", partial(made, k), lambda port: True)
+    go.set()
+    qtbot.waitUntil(lambda: openings.get("a") is not None)
+    qtbot.wait(100)
+    assert openings.problems == {} and log[-1] == "opened 5"
+    assert [line.split()[0] for line in log[::2]] == ["opened"] * (len(log) // 2 + 1)
+    openings.renew("a", "a", None, lambda port: True)
+    qtbot.waitUntil(lambda: log[-1] == "closed 5")
 
 
 def test_a_failure_is_reported_and_the_end_leaves_nothing_open(openings, tasks, qtbot):

@@ -1,8 +1,8 @@
 """The queue of the engine thread: all packets and commands, and a few images.
 
-Packets go before images: one takes a tenth of the time, and a robot or a motor waits for it. While
-more packets wait than a computer with time to spare ever has, images are fed in their order of
-arrival instead, though fewer of them: without any image the hand would be lost.
+Packets go before images: one takes a tenth of the time, and a robot or a motor waits for it. On a
+computer without time to spare the queue of packets is never empty, and without any image the hand
+would be lost: after `PACKETS_BEFORE` packets an image is fed in its order of arrival.
 Messages are stamped when they are fed (`tracker.live.loop.ArrivalOrder`), so a session contains the
 actual order.
 """
@@ -23,6 +23,7 @@ from tracker.messages import BlobFrame, StereoFrame, WristPose
 T = TypeVar("T")
 SIZE = 4096  # 40 s of packets
 MAX_FRAMES_BEHIND = 3  # with more the hand would be shown late
+PACKETS_BEFORE = 8  # that an image waits for at least, before its order of arrival counts
 BACKLOG = 30  # packets; with more the hand is late already
 FRAME_EVERY = 0.25  # s between further images that wait with a backlog
 LONGEST_FRAMES = 18  # images that wait at most, 5 MB each
@@ -75,6 +76,7 @@ class Inbox:
         self._items: deque[Queued] = deque()
         self._frames: deque[DetectedFrame] = deque()
         self._overflowed = self._skipped = 0
+        self._passed = 0  # items that went before the oldest image
         self._closed = False
 
     def put(self, item: Queued) -> None:
@@ -106,8 +108,8 @@ class Inbox:
         return min(MAX_FRAMES_BEHIND + spaced * backlog, LONGEST_FRAMES)
 
     def _frame_is_due(self) -> bool:
-        """Whether there is a backlog of packets and the oldest image arrived before all of it."""
-        if not self._frames or len(self._items) < BACKLOG:
+        """Whether the oldest image has waited and arrived before all packets that wait."""
+        if not self._frames or self._passed < PACKETS_BEFORE:
             return False
         oldest = self._items[0]
         if not isinstance(oldest, Sided | WristPose):
@@ -120,8 +122,10 @@ class Inbox:
         with self._changed:
             self._changed.wait_for(lambda: self._items or self._frames or self._closed, timeout)
             if self._items and not self._frame_is_due():
+                self._passed += bool(self._frames)
                 return self._items.popleft()
             if self._frames:
+                self._passed = 0
                 return self._frames.popleft()
             if self._closed:
                 raise Closed
