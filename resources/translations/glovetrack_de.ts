@@ -6272,7 +6272,7 @@ change {}: {}</source>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>E&amp;xtensions</source>
-      <translation>Er&amp;weiterungen</translation>
+      <translation>Erweiter&amp;ungen</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
