@@ -9017,7 +9017,7 @@ change {}: {}</source>
     <message>
       <location filename="extensions/touch/window/extension.py" />
       <source>&amp;Touch test…</source>
-      <translation>Be&amp;rührungstest…</translation>
+      <translation>Ber&amp;ührungstest…</translation>
     </message>
     <message>
       <location filename="extensions/touch/window/view_model.py" />
