@@ -38,7 +38,8 @@ def copy_part(
     state: bytes | None = None,
 ) -> None:
     """Copies the messages with log times (ns) of ``span``, and the values from before that are
-    valid until they are published again; damaged ones are left out.
+    valid until they are published again; damaged ones are left out. A recording that began while
+    the engine was late has its descriptions after its first messages: those are copied, too.
 
     ``state``: an engine's state at the start of the part, from `engine_state.pack`. The clocks of a
     part begin with it.
@@ -50,15 +51,24 @@ def copy_part(
         if state is not None:
             out.attach_bytes(engine_state.NAME, engine_state.MEDIA_TYPE, state, start)
         copier = Copier(reader.source, out)
+        descriptions = _description_topics(reader)
         for topic in _standing_topics(reader) if start else ():
-            before = last_before(reader.source, topic, start, check_message)
-            if before is not None:
-                copier.copy(before._replace(log_time=start))
+            valid = last_before(reader.source, topic, start, check_message)
+            if valid is None and topic in descriptions:
+                valid = _first_after(reader, topic, end)
+            if valid is not None:
+                copier.copy(valid._replace(log_time=start))
         for m in sound(ordered(reader.source, None, start, end), reader.source.left_out):
             if not ("notes" in options.anonymous and _is_note(m)):
                 copier.copy(m)
     finally:
         out.finish()
+
+
+def _first_after(reader: SessionReader, topic: str, end: int) -> RawMessage | None:
+    """The first message of a topic from ``end`` (ns) on; one before it is in the part itself."""
+    found = ordered(reader.source, frozenset([topic]), end)
+    return next(sound(found, reader.source.left_out), None)
 
 
 def copy_extras(reader: SessionReader, out: McapOutput, without: Sequence[str] = ()) -> None:
@@ -122,10 +132,15 @@ def _standing_topics(reader: SessionReader) -> list[str]:
     """Returns the topics whose last message is valid until the next."""
     sides = [hand.side for hand in reader.info.hands]
     hand = [topics.hand(s, what) for s in sides for what in ("states", "calibration")]
+    return [*hand, *_description_topics(reader)]
+
+
+def _description_topics(reader: SessionReader) -> list[str]:
+    """Those of them that describe cameras and robots, which seldom change."""
     camera = [topics.camera_info(c) for c in EYES]
     latched = ("robot_description", "model")  # in this order: the second is read with the first
     robot = [t for t in reader.topic_names if topics.robot_of(t)[1] in latched]
-    return [*camera, topics.TF_STATIC, topics.CAMERA_POSE, *hand, *sorted(robot, reverse=True)]
+    return [*camera, topics.TF_STATIC, topics.CAMERA_POSE, *sorted(robot, reverse=True)]
 
 
 def _is_note(m: RawMessage) -> bool:
