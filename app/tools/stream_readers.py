@@ -7,12 +7,14 @@ input, and at the end.
 
 from __future__ import annotations
 
+import contextlib
 import json
 import socket
 import sys
 import threading
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
 
 LOOPBACK = "127.0.0.1"
 AGAIN = 0.2  # s between attempts to connect
@@ -50,7 +52,7 @@ def _again(
     while not ended.is_set():
         try:
             read(port, count)
-        except Exception:  # noqa: BLE001 - the stream is off, or was closed
+        except (OSError, LookupError, RuntimeError):  # it is off, or was closed
             ended.wait(AGAIN)
 
 
@@ -61,19 +63,29 @@ def _read_datagrams(port: int, count: Count) -> None:
             count()
 
 
-def _read_websocket(port: int, count: Count) -> None:
+@contextlib.contextmanager
+def _connected(port: int, protocols: Sequence[str] = ()) -> Iterator[Any]:
+    """A WebSocket; its errors are OSError."""
+    from websockets.exceptions import WebSocketException
     from websockets.sync.client import connect
+    from websockets.typing import Subprotocol
 
-    with connect(f"ws://{LOOPBACK}:{port}/") as connection:
+    spoken = [Subprotocol(name) for name in protocols] or None
+    try:
+        with connect(f"ws://{LOOPBACK}:{port}/", subprotocols=spoken) as connection:
+            yield connection
+    except WebSocketException as error:
+        raise OSError(str(error)) from error
+
+
+def _read_websocket(port: int, count: Count) -> None:
+    with _connected(port) as connection:
         for _ in connection:
             count()
 
 
 def _read_foxglove(port: int, count: Count) -> None:
-    from websockets.sync.client import connect
-    from websockets.typing import Subprotocol
-
-    with connect(f"ws://{LOOPBACK}:{port}/", subprotocols=[Subprotocol(FOXGLOVE)]) as connection:
+    with _connected(port, [FOXGLOVE]) as connection:
         for message in connection:
             if isinstance(message, bytes):
                 count()

@@ -7986,6 +7986,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/reference/window/accuracy_dialog.py" />
+      <source>Cancelled. No report was written.</source>
+      <translation>Abgebrochen. Es wurde kein Bericht geschrieben.</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/accuracy_dialog.py" />
       <source>Accuracy report</source>
       <translation>Genauigkeitsbericht</translation>
     </message>
@@ -8070,11 +8075,6 @@ change {}: {}</source>
       <translation>Angegebene Std.-Abw. (mm)</translation>
     </message>
     <message>
-      <location filename="extensions/reference/window/accuracy_dialog.py" />
-      <source>Cancelled. No report was written.</source>
-      <translation>Abgebrochen. Es wurde kein Bericht geschrieben.</translation>
-    </message>
-    <message>
       <location filename="extensions/reference/window/extension.py" />
       <source>Import re&amp;ference…</source>
       <translation>Re&amp;ferenz importieren…</translation>
@@ -8088,6 +8088,11 @@ change {}: {}</source>
       <location filename="extensions/reference/window/extension.py" />
       <source>Accuracy report…</source>
       <translation>Genauigkeitsbericht…</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>Cancelled. Nothing was imported.</source>
+      <translation>Abgebrochen. Es wurde nichts importiert.</translation>
     </message>
     <message>
       <location filename="extensions/reference/window/import_dialog.py" />
@@ -8153,11 +8158,6 @@ change {}: {}</source>
       <location filename="extensions/reference/window/import_dialog.py" />
       <source>Importing {}</source>
       <translation>{} wird importiert</translation>
-    </message>
-    <message>
-      <location filename="extensions/reference/window/import_dialog.py" />
-      <source>Cancelled. Nothing was imported.</source>
-      <translation>Abgebrochen. Es wurde nichts importiert.</translation>
     </message>
     <message>
       <location filename="extensions/reference/window/import_dialog.py" />

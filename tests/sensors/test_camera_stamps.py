@@ -76,7 +76,10 @@ def test_a_camera_uses_the_stamps_of_its_driver() -> None:
     inner = Stamped(Driver())
     source = ControlledInput(inner)
     assert isinstance(source, HasStamps)
-    now = lambda: arrivals[max(inner.k - 1, 0)]  # noqa: E731
+
+    def now() -> float:
+        return float(arrivals[max(inner.k - 1, 0)])
+
     camera = StereoCamera(source, None, CameraParams(delay=DELAY), now)
     frames = [camera.read(0.0) for _ in range(200)]
     t = np.array([f.t for f in frames if f is not None])

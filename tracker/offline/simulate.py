@@ -22,7 +22,7 @@ from tracker.simulation.guided import HELD_BADLY, GuidedPoses, HoldParams, with_
 from tracker.simulation.head import MOVING, HeadParams
 from tracker.simulation.motion import Motion
 from tracker.simulation.random_postures import RandomPostures
-from tracker.simulation.rooms import room_of
+from tracker.simulation.rooms import SCENES, room_of
 from tracker.simulation.scenario import Message, Simulation, SimulationParams, Truth
 from tracker.simulation.scripted import show
 from tracker.simulation.shows import WORD
@@ -51,6 +51,8 @@ def build(options: SimulateOptions) -> tuple[Simulation, SessionInfo]:
     seed, rig = options.seed, _rig(options)
     room = room_of(options.scene, options.light, options.photo, seed, rig)
     head = _head(options.camera)
+    if options.camera != "stand" and options.scene not in SCENES:
+        raise ConfigError(f"The scene {options.scene} needs a camera that does not move.")
     params = SimulationParams(
         head=head, render=room.render, person=options.person, right_late=options.right_late
     )

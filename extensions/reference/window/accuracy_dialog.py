@@ -10,57 +10,54 @@ from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QCheckBox,
-    QDialog,
     QFileDialog,
     QHBoxLayout,
     QLabel,
     QListWidget,
     QListWidgetItem,
-    QProgressBar,
     QPushButton,
     QVBoxLayout,
 )
 
 from app.panels.command_kind import CommandContext
-from app.platform.tasks import RunningJob
 from app.storage.settings import sessions_folder
 from app.widgets.measures import APART, WIDE
 from app.wizards.sizing import fit_to_screen
+from extensions.reference.window.job_dialog import JobDialog
 from extensions.reference.window.jobs import AccuracyReport, WorstInstant, accuracy_job
 from extensions.reference.window.row_table import RowTable
 from extensions.reference.window.view_model import worst_row
 
 SIZE = 760, 640
-STEPS, TABLE_STRETCH = 1000, 100
+TABLE_STRETCH = 100
 LIST_HEIGHT = 96  # px: four recordings
 HAND, RECORDING = 5, 6  # columns
 
 
-class AccuracyDialog(QDialog):
+class AccuracyDialog(JobDialog):
     """``worst`` are the instants that the table shows."""
 
     def __init__(self, on: CommandContext, sessions: Sequence[Path]) -> None:
-        super().__init__(on.window)
-        self._on = on
-        self._job: RunningJob | None = None
+        super().__init__(on)
         self.worst: tuple[WorstInstant, ...] = ()
         self._page: Path | None = None
-        self._is_answered = False
+        self.cancelled = self.tr("Cancelled. No report was written.")
         self.setObjectName("reference_accuracy")
         self.setWindowTitle(self.tr("Accuracy report"))
         self._make_list()
         self._make_table()
         self._lay_out()
+        self.inputs = (self.sessions, self.offsets, self.anonymous)
         fit_to_screen(self, *SIZE)
         self.add(sessions)
-        self._show_running(False)
+        self.show_running(False)
 
     def _make_list(self) -> None:
         self.sessions = QListWidget()
         self.sessions.setAccessibleName(self.tr("Recordings"))
         self.sessions.setMaximumHeight(LIST_HEIGHT)
         self.sessions.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
-        self.sessions.itemSelectionChanged.connect(lambda: self._enable())
+        self.sessions.itemSelectionChanged.connect(lambda: self.enable())
         self.add_button = QPushButton(self.tr("&Add…"))
         self.add_button.clicked.connect(self._ask_sessions)
         self.remove_button = QPushButton(self.tr("&Remove"))
@@ -70,9 +67,8 @@ class AccuracyDialog(QDialog):
         self.anonymous = QCheckBox(self.tr("Without &names of recordings and participants"))
 
     def _make_table(self) -> None:
-        self.words, self.hint = QLabel(), QLabel()
-        for label in (self.words, self.hint):
-            label.setWordWrap(True)
+        self.hint = QLabel()
+        self.hint.setWordWrap(True)
         self.words.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.hint.setText(
             self.tr("The largest errors. Double-click or Enter pauses the replay at the instant.")
@@ -94,8 +90,6 @@ class AccuracyDialog(QDialog):
         top = QHBoxLayout()
         top.addWidget(self.sessions, 1)
         top.addLayout(side)
-        self.progress = QProgressBar()
-        self.progress.setMaximum(STEPS)
         self.progress.setAccessibleName(self.tr("Progress of the report"))
         column = QVBoxLayout(self)
         column.setContentsMargins(WIDE, APART, WIDE, APART)
@@ -113,8 +107,7 @@ class AccuracyDialog(QDialog):
     def _buttons(self) -> QHBoxLayout:
         self.page_button = QPushButton(self.tr("&Open the report"))
         self.page_button.clicked.connect(self.open_page)
-        self.cancel_button = QPushButton(self.tr("&Cancel"))
-        self.cancel_button.clicked.connect(self._cancel)
+        self.cancel_button.setText(self.tr("&Cancel"))
         self.write_button = QPushButton(self.tr("&Write report"))
         self.write_button.setProperty("role", "primary")
         self.write_button.setDefault(True)
@@ -145,11 +138,11 @@ class AccuracyDialog(QDialog):
                 item = QListWidgetItem(path.name, self.sessions)
                 item.setData(Qt.ItemDataRole.UserRole, str(path))
                 item.setToolTip(str(path))
-        self._enable()
+        self.enable()
 
     def _ask_sessions(self) -> None:
         listed = self.paths
-        folder = listed[0].parent if listed else sessions_folder(self._on.store.value)
+        folder = listed[0].parent if listed else sessions_folder(self.context.store.value)
         paths, _ = QFileDialog.getOpenFileNames(
             self, self.tr("Add recordings"), str(folder), "*.mcap"
         )
@@ -158,10 +151,11 @@ class AccuracyDialog(QDialog):
     def _remove(self) -> None:
         for item in self.sessions.selectedItems():
             self.sessions.takeItem(self.sessions.row(item))
-        self._enable()
+        self.enable()
 
-    def _enable(self) -> None:
-        idle = self._job is None
+    def enable(self) -> None:
+        """Enable the buttons that can be used now."""
+        idle = self.job is None
         self.write_button.setEnabled(idle and self.sessions.count() > 0)
         self.remove_button.setEnabled(idle and bool(self.sessions.selectedItems()))
         self.add_button.setEnabled(idle)
@@ -171,26 +165,13 @@ class AccuracyDialog(QDialog):
 
     def start(self) -> None:
         """Write the report in the background."""
-        if self._job is not None or not self.paths:
+        if self.job is not None or not self.paths:
             return
-        self._is_answered = False
-        self.words.setText(self.tr("Writing the report…"))
         offsets, anonymous = self.offsets.isChecked(), self.anonymous.isChecked()
-        self._job = self._on.tasks.run(
-            self.tr("Accuracy report"),
-            accuracy_job(self.paths, offsets, anonymous),
-            self._done,
-            self._ended,
-            self._progressed,
-            self._show_problem,
-        )
-        self._show_running(True)
-
-    def _progressed(self, share: float, _text: str) -> None:
-        self.progress.setValue(round(STEPS * share))
+        job = accuracy_job(self.paths, offsets, anonymous)
+        self.run_job(self.tr("Accuracy report"), job, self._done, self.tr("Writing the report…"))
 
     def _done(self, report: AccuracyReport) -> None:
-        self._is_answered = True
         self._page, self.worst = report.page, report.worst
         self.words.setText(report.line)
         self.table.show_rows([worst_row(worst) for worst in report.worst])
@@ -200,28 +181,6 @@ class AccuracyDialog(QDialog):
             widget.show()
         self.open_page()
 
-    def _show_problem(self, text: str) -> None:
-        self._is_answered = True
-        self.words.setText(text)
-
-    def _ended(self) -> None:
-        self._job = None
-        self._show_running(False)
-        if not self._is_answered:
-            self.words.setText(self.tr("Cancelled. No report was written."))
-
-    def _show_running(self, on: bool) -> None:
-        self.progress.setValue(0)
-        self.progress.setVisible(on)
-        self.cancel_button.setVisible(on)
-        for widget in (self.sessions, self.offsets, self.anonymous):
-            widget.setEnabled(not on)
-        self._enable()
-
-    def _cancel(self) -> None:
-        if self._job is not None:
-            self._job.cancel()
-
     def open_page(self) -> None:
         """Open the report in the browser."""
         if self._page is not None:
@@ -230,9 +189,4 @@ class AccuracyDialog(QDialog):
     def show_instant(self, row: int) -> None:
         """Pause the replay at the instant of a row; another recording is opened first."""
         worst = self.worst[row]
-        self._on.open_session(worst.session, worst.t)
-
-    def done(self, result: int) -> None:
-        """Close; a report that is being written is cancelled."""
-        self._cancel()
-        super().done(result)
+        self.context.open_session(worst.session, worst.t)

@@ -7,22 +7,19 @@ from pathlib import Path
 from PySide6.QtCore import QEvent, QUrl
 from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import (
-    QDialog,
     QFileDialog,
     QHBoxLayout,
-    QLabel,
-    QProgressBar,
     QPushButton,
     QVBoxLayout,
 )
 
 from app.engines.engine import EngineSetup
 from app.panels.command_kind import CommandContext
-from app.platform.tasks import RunningJob
 from app.widgets.measures import APART, WIDE
 from app.wizards.sizing import fit_to_screen
 from app.words import notice_text
 from extensions.reference.window.import_form import ImportForm
+from extensions.reference.window.job_dialog import JobDialog
 from extensions.reference.window.jobs import (
     Answer,
     ImportedSession,
@@ -40,20 +37,20 @@ from extensions.reference.window.view_model import (
 )
 
 SIZE = 760, 680
-STEPS, TABLE_STRETCH = 1000, 100
+TABLE_STRETCH = 100
 
 
-class ImportDialog(QDialog):
+class ImportDialog(JobDialog):
     """Shows what the chosen file contains, imports it, and opens the new session."""
 
     def __init__(self, on: CommandContext, setup: EngineSetup) -> None:
-        super().__init__(on.window)
+        super().__init__(on)
         assert setup.player is not None
-        self._on, self._session = on, setup.player.path
+        self._session = setup.player.path
         self._asked = 0
         self._read: tuple[ReferenceFile | None, tuple[float, ...]] = None, ()
-        self._job: RunningJob | None = None
-        self._is_ready = self._is_answered = False
+        self._is_ready = False
+        self.cancelled = self.tr("Cancelled. Nothing was imported.")
         self.setObjectName("reference_import")
         self.setWindowTitle(self.tr("Import a reference"))
         self.form = ImportForm(setup, self._session)
@@ -61,12 +58,11 @@ class ImportDialog(QDialog):
         self.form.template_asked.connect(self._ask_template)
         self._lay_out()
         fit_to_screen(self, *SIZE)
-        self._show_running(False)
+        self.inputs = (self.form,)
+        self.show_running(False)
         self.recognise()
 
     def _lay_out(self) -> None:
-        self.words = QLabel()
-        self.words.setWordWrap(True)
         self.table = RowTable(
             [
                 self.tr("Keypoint"), self.tr("Residual, rigid (mm)"),
@@ -74,8 +70,6 @@ class ImportDialog(QDialog):
             ],
             self.tr("Residuals of the registration"),
         )  # fmt: skip
-        self.progress = QProgressBar()
-        self.progress.setMaximum(STEPS)
         self.progress.setAccessibleName(self.tr("Progress of the import"))
         column = QVBoxLayout(self)
         column.setContentsMargins(WIDE, APART, WIDE, APART)
@@ -93,8 +87,7 @@ class ImportDialog(QDialog):
         self.import_button.setProperty("role", "primary")
         self.import_button.setDefault(True)
         self.import_button.clicked.connect(self.start)
-        self.cancel_button = QPushButton(self.tr("&Cancel"))
-        self.cancel_button.clicked.connect(self._cancel)
+        self.cancel_button.setText(self.tr("&Cancel"))
         close = QPushButton(self.tr("Close"))
         close.clicked.connect(self.close)
         row = QHBoxLayout()
@@ -116,7 +109,7 @@ class ImportDialog(QDialog):
         file = self.form.file()
         self._asked += 1
         self._is_ready = False
-        self._enable()
+        self.enable()
         self.form.template_button.setEnabled(file is not None)
         if file is None:
             self._read = None, ()
@@ -125,7 +118,7 @@ class ImportDialog(QDialog):
         self._read = file, self._times()
         self.form.recognised.setText(self.tr("Reading the file…"))
         title = self.tr("Reading {}").format(file.path.name)
-        self._on.tasks.run(title, recognise_job(self._asked, file), self._recognised)
+        self.context.tasks.run(title, recognise_job(self._asked, file), self._recognised)
 
     def _times(self) -> tuple[float, ...]:
         """When the chosen files were changed."""
@@ -143,11 +136,11 @@ class ImportDialog(QDialog):
         label.setText(recognised_text(found))
         self.form.show_clock(found.has_clock)
         self._is_ready = found.problem is None
-        self._enable()
+        self.enable()
 
     def event(self, event: QEvent) -> bool:
         """Read files again that were changed in another program."""
-        if event.type() == QEvent.Type.WindowActivate and self._job is None:
+        if event.type() == QEvent.Type.WindowActivate and self.job is None:
             self._look()
         return super().event(event)
 
@@ -168,7 +161,7 @@ class ImportDialog(QDialog):
         if file is not None:
             title = self.tr("Writing {}").format(path.name)
             job = template_job(file, path)
-            self._on.tasks.run(title, job, self._template_written, failed=self._show_problem)
+            self.context.tasks.run(title, job, self._template_written, failed=self.show_problem)
 
     def _template_written(self, path: Path) -> None:
         self.form.mapping.setText(str(path))
@@ -180,63 +173,25 @@ class ImportDialog(QDialog):
     def start(self) -> None:
         """Import in the background."""
         reference = self.form.path
-        if reference is None or self._job is not None:
+        if reference is None or self.job is not None:
             return
-        self._is_answered = False
         self.table.hide()
-        self.words.setText(self.tr("Importing…"))
         title = self.tr("Importing {}").format(reference.name)
-        self._job = self._on.tasks.run(
-            title,
-            import_job(reference, self._session, self.form.options()),
-            self._done,
-            self._ended,
-            self._progressed,
-            self._show_problem,
-        )
-        self._show_running(True)
-
-    def _progressed(self, share: float, _text: str) -> None:
-        self.progress.setValue(round(STEPS * share))
+        job = import_job(reference, self._session, self.form.options())
+        self.run_job(title, job, self._done, self.tr("Importing…"))
 
     def _done(self, made: ImportedSession) -> None:
         """Show the result and open the new session."""
-        self._is_answered = True
         lines = [self.tr("Imported into {}.").format(made.path.name), result_text(made.about)]
         lines += [remark_text(remark) for remark in made.remarks]
         self.words.setText("\n".join(lines))
         self.table.show_rows(residual_rows(made.about))
         self.table.show()
-        self._on.open_session(made.path, None)
+        self.context.open_session(made.path, None)
 
-    def _show_problem(self, text: str) -> None:
-        self._is_answered = True
-        self.words.setText(text)
-
-    def _ended(self) -> None:
-        self._job = None
-        self._show_running(False)
-        if not self._is_answered:
-            self.words.setText(self.tr("Cancelled. Nothing was imported."))
-
-    def _show_running(self, on: bool) -> None:
-        self.progress.setValue(0)
-        self.progress.setVisible(on)
-        self.cancel_button.setVisible(on)
-        self.form.setEnabled(not on)
-        self._enable()
-
-    def _enable(self) -> None:
-        self.import_button.setEnabled(self._is_ready and self._job is None)
-
-    def _cancel(self) -> None:
-        if self._job is not None:
-            self._job.cancel()
-
-    def done(self, result: int) -> None:
-        """Close; an import that is running is cancelled."""
-        self._cancel()
-        super().done(result)
+    def enable(self) -> None:
+        """Enable the buttons that can be used now."""
+        self.import_button.setEnabled(self._is_ready and self.job is None)
 
 
 def _changed(path: Path) -> float:

@@ -14,10 +14,12 @@ from extensions.touch.simulated.images import placed_sheet
 from extensions.touch.simulated.live import Follower
 from extensions.touch.track import tip_tracks
 from extensions.touch.window.view_model import TouchPhase, TouchRun
+from tracker.cli import main
 from tracker.glove import library
 from tracker.messages import Event, StereoFrame
 from tracker.offline.simulate import SimulateOptions, build, truth_message
 from tracker.session.description import SessionInfo
+from tracker.session.reader import SessionReader
 from tracker.simulation.demo import TABLE, DemoSpec, ask
 from tracker.simulation.demo import build as build_demo
 from tracker.simulation.posture_requests import AHEAD
@@ -95,3 +97,14 @@ def test_a_cue_without_a_touch_moves_the_hand_too(demo) -> None:
         requests = plan(sim, 10.0)
         assert requests and all(len(r.place) == 12 for r in requests)
     assert len(follower.cue(Cue(25, "pinch"), sim, 10.0)) == 40
+
+
+def test_simulated_sessions_show_the_sheet_and_their_camera_must_not_move(tmp_path) -> None:
+    out = tmp_path / "sheet.mcap"
+    words = ["simulate", "-o", str(out), "--scene", "touch_sheet", "--duration", "1"]
+    assert main([*words, "--camera", "head"]) == 1 and not out.exists()
+    assert main([*words, "--fps", "5", "--seed", str(SEED)]) == 0
+    with SessionReader(out) as reader:
+        frame = next(m for m in reader.messages((StereoFrame,)) if isinstance(m, StereoFrame))
+        found = find_sheet([frame], reader.rig(), 0.26)
+    assert np.linalg.norm(found.p_GS - placed_sheet(SEED).p_GS) < 2e-3
