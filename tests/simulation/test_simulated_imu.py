@@ -9,14 +9,16 @@ from tracker import GRAVITY
 from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
-from tracker.simulation.imu import ImuParams, ImuSimulator, true_imu
+from tracker.simulation.imu import ImuSimulator, true_imu
+from tracker.simulation.imu_errors import ImuErrors, ImuParams
 from tracker.simulation.motion import Poses, Still
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.wearer import Wearer
 
 PERFECT = ImuParams(
     gyro_noise_deg=0, accel_noise_ug=0, gyro_bias_deg=0, accel_bias_mg=0, gyro_walk_deg=0,
-    accel_walk_mg=0, gyro_scale=0, accel_scale=0, skew_ppm=0,
+    accel_walk_mg=0, gyro_scale=0, accel_scale=0, skew_ppm=0, cross_axis=0, g_sensitivity_deg=0,
+    gyro_slope_deg=0, accel_slope_mg=0, read_skew=0,
 )  # fmt: skip
 
 
@@ -84,10 +86,10 @@ def test_noise_has_the_data_sheets_density(hand: HandModel, glove: GloveModel) -
 def test_biases_are_within_the_data_sheets_limits(hand: HandModel, glove: GloveModel) -> None:
     wild = replace(PERFECT, gyro_bias_deg=50.0, accel_bias_mg=500.0)
     imu = ImuSimulator(Wearer.exact(hand, glove), _still(hand), 2, wild)
-    assert np.abs(imu.gyro_bias).max() == pytest.approx(np.deg2rad(5))
-    assert np.abs(imu.accel_bias).max() == pytest.approx(0.060 * GRAVITY)
+    assert np.abs(imu.errors.gyro_bias).max() == pytest.approx(np.deg2rad(5))
+    assert np.abs(imu.errors.accel_bias).max() == pytest.approx(0.060 * GRAVITY)
     mean = np.mean([s.gyro for s in imu.samples(0, 1)], axis=0)
-    np.testing.assert_allclose(mean, imu.gyro_bias, atol=np.deg2rad(2000) / 32768)
+    np.testing.assert_allclose(mean, imu.errors.gyro_bias, atol=np.deg2rad(2000) / 32768)
 
 
 def test_values_are_integer_lsb_and_saturate(hand: HandModel, glove: GloveModel) -> None:
@@ -96,6 +98,7 @@ def test_values_are_integer_lsb_and_saturate(hand: HandModel, glove: GloveModel)
         counts = s.gyro / (np.deg2rad(2000) / 32768)
         np.testing.assert_allclose(counts, np.round(counts), atol=1e-6)
         assert counts[0, 2] == pytest.approx(32767)
+        assert not s.valid.any()
 
 
 def test_clock_skew_and_arrival(hand: HandModel, glove: GloveModel) -> None:
@@ -119,3 +122,57 @@ def test_any_window_gives_the_same_packets(hand: HandModel, glove: GloveModel) -
     for s in imu.samples(2.345, 3.1):
         np.testing.assert_array_equal(s.accel, whole[s.seq].accel)
         assert s.t == whole[s.seq].t
+
+
+def test_scale_and_cross_axis_errors_are_within_the_data_sheet() -> None:
+    errors = ImuErrors(500, 1, ImuParams())
+    for matrix in (errors.gyro_matrix, errors.accel_matrix):
+        scale = np.diagonal(matrix, axis1=1, axis2=2) - 1
+        cross = matrix[:, ~np.eye(3, dtype=bool)]
+        assert np.abs(scale).max() == pytest.approx(0.03)
+        assert np.abs(cross).max() == pytest.approx(0.02)
+        assert scale.std() == pytest.approx(0.01, rel=0.1)
+        assert cross.std() == pytest.approx(0.007, rel=0.1)
+
+
+def test_a_glove_has_the_same_errors_in_each_session(hand: HandModel, glove: GloveModel) -> None:
+    wearer, still = Wearer.exact(hand, glove), _still(hand)
+    one, two = (ImuSimulator(wearer, still, seed, device=7) for seed in (1, 2))
+    np.testing.assert_array_equal(one.errors.gyro_slope, two.errors.gyro_slope)
+    np.testing.assert_array_equal(one.errors.accel_matrix, two.errors.accel_matrix)
+    assert one.temperature(np.zeros(1))[0, 0] != two.temperature(np.zeros(1))[0, 0]
+
+
+def test_biases_follow_the_temperature(hand: HandModel, glove: GloveModel) -> None:
+    params = replace(PERFECT, gyro_slope_deg=0.2)
+    imu = ImuSimulator(Wearer.exact(hand, glove), _still(hand, 1e4), 4, params)
+    t = np.array([0.0, 300.0, 3000.0])
+    warm = imu.temperature(t) - imu.temperature(np.zeros(1))
+    np.testing.assert_allclose(warm[:, 2], [0.0, 6 * (1 - np.exp(-1)), 6.0], atol=1e-3)
+    gyro = imu.measure(t, np.random.default_rng(0))[1]
+    expected = imu.errors.gyro_slope * warm[-1, :, None]
+    np.testing.assert_allclose(gyro[2] - gyro[0], expected, atol=np.deg2rad(2000) / 32768)
+
+
+def test_gravity_turns_the_gyroscopes(hand: HandModel, glove: GloveModel) -> None:
+    params = replace(PERFECT, g_sensitivity_deg=1.0)
+    imu = ImuSimulator(Wearer.exact(hand, glove), _still(hand), 5, params)
+    accel, gyro = imu.measure(np.zeros(1), np.random.default_rng(0))
+    expected = np.einsum("nij,nj->ni", imu.errors.g_sensitivity, accel[0])
+    np.testing.assert_allclose(gyro[0], expected, atol=np.deg2rad(2000) / 32768)
+
+
+def test_the_last_imu_is_read_later(hand: HandModel, glove: GloveModel) -> None:
+    """With a skew of 0.55 ms, IMU j measures what one without skew measures j/6 of it later."""
+    wearer, motion = Wearer(hand, glove, 5), RandomPostures(hand, 5, duration=5)
+    t = np.linspace(1.0, 4.0, 50)
+    late = np.linspace(0.0, 0.55e-3, 7)
+    force, rate = true_imu(wearer, motion, t, late)
+    force_now, rate_now = true_imu(wearer, motion, t)
+    for j in (0, 3, 6):
+        force_j, rate_j = true_imu(wearer, motion, t + late[j])
+        # linear interpolation of a tremor of 10 Hz between instants 1 ms apart: 5e-4 of it
+        np.testing.assert_allclose(force[:, j], force_j[:, j], atol=5e-3)
+        np.testing.assert_allclose(rate[:, j], rate_j[:, j], atol=3e-4)
+    assert np.abs(rate[:, 6] - rate_now[:, 6]).max() > 1e-3
+    assert np.abs(force[:, 6] - force_now[:, 6]).max() > 1e-2

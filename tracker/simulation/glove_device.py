@@ -11,7 +11,7 @@ import math
 import os
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -20,10 +20,11 @@ import numpy as np
 from tracker import GRAVITY
 from tracker.base.errors import DeviceError
 from tracker.base.urgency import run_soon
-from tracker.messages import ImuSample
+from tracker.messages import Array, ImuSample
 from tracker.sensors.decoder import FrameDecoder
 from tracker.sensors.protocol import (
     BITS_PER_BYTE,
+    MAX_IMUS,
     ErrorText,
     GloveStatus,
     Hello,
@@ -39,7 +40,7 @@ from tracker.sensors.protocol import (
 GYRO_RANGE_DPS, ACCEL_RANGE_G = 2000, 16
 TICK = 0.002  # s between two polls of the line, and of the clock while nothing is due
 MPU_9250 = 0x71
-WARM_UP_CC, WARM_UP_S = 600.0, 300.0
+COLD_C = 26.0
 SYSTEM_BUFFER = 65536  # bytes that the system buffers without a reader, as on Linux
 
 
@@ -70,6 +71,11 @@ class GloveDeviceParams:
     chips: bool = True  # HELLO and temperatures as from firmware 1.3
 
 
+def cold(t: Array) -> Array:
+    """(n, `MAX_IMUS`) °C of chips that do not warm up."""
+    return np.full((len(t), MAX_IMUS), COLD_C)
+
+
 class SimulatedGlove:
     """Sends the samples of ``source``; their t = 0 is the host's ``t_0`` (s), see `begin`."""
 
@@ -79,12 +85,14 @@ class SimulatedGlove:
         imu_count: int,
         t_0: float = math.inf,
         params: GloveDeviceParams | None = None,
+        temperature: Callable[[Array], Array] = cold,
     ) -> None:
+        """``temperature`` gives °C (n, I) of the chips at times (n,) s of the samples."""
+        self._temperature = temperature
         self.params, self.faults = params or GloveDeviceParams(), Faults()
         self._source, self._imu_count, self._t_0 = source, imu_count, t_0
         self._rng = np.random.default_rng(self.params.seed)
         self._streaming, self._seq = False, 0
-        self._plugged_at = time.monotonic()
         self._stopping = threading.Event()
         self._lock = threading.Lock()
         self._plug()
@@ -178,9 +186,9 @@ class SimulatedGlove:
                     pending.clear()
 
     def _temperatures(self, now: float) -> Temperatures:
-        """Each IMU warms up by 6 °C with a time constant of five minutes, with its own offset."""
-        warm = WARM_UP_CC * (1 - math.exp(-(now - self._plugged_at) / WARM_UP_S))
-        return Temperatures(tuple(2600 + 30 * j + round(warm) for j in range(self._imu_count)))
+        """Of each IMU, as the source of the samples has them."""
+        celsius = self._temperature(np.array([now - self._t_0]))[0]
+        return Temperatures(tuple(round(100 * float(c)) for c in celsius[: self._imu_count]))
 
     def _pause(self, sample: ImuSample | None, wire: float) -> float:
         """s until the next packet is due, or the line must be polled."""

@@ -14,11 +14,11 @@ from typing import NamedTuple
 
 from tracker.base.child import start_child
 from tracker.base.errors import DeviceError, GlovetrackError
-from tracker.glove.model import GloveModel
 from tracker.simulation.demo import DemoSpec, ask, build_scene, hands_of
 from tracker.simulation.drawn_ahead import DrawnAhead
 from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove
 from tracker.simulation.posture_requests import PostureRequest
+from tracker.simulation.scenario import Simulation
 
 GLOVE_IDS = {"right": 1, "left": 2}
 END_WAIT = 5.0  # s
@@ -89,8 +89,7 @@ def _serve(pipe: Connection, spec: DemoSpec) -> None:
         scene = build_scene(spec)
         try:
             devices = {
-                side: _device(worn, DrawnAhead(simulation.imu_samples()), simulation.glove)
-                for side, simulation in hands_of(scene).items()
+                side: _device(worn, simulation) for side, simulation in hands_of(scene).items()
             }
         except GlovetrackError as error:
             pipe.send(_Failed(str(error)))
@@ -105,9 +104,12 @@ def _serve(pipe: Connection, spec: DemoSpec) -> None:
                 device.begin(item.t_0)
 
 
-def _device(worn: contextlib.ExitStack, packets: DrawnAhead, glove: GloveModel) -> SimulatedGlove:
+def _device(worn: contextlib.ExitStack, simulation: Simulation) -> SimulatedGlove:
+    packets, glove = DrawnAhead(simulation.imu_samples()), simulation.glove
     worn.callback(packets.close)
     params = GloveDeviceParams(glove_id=GLOVE_IDS[glove.side])
-    device = SimulatedGlove(packets, len(glove.imus), params=params)
+    device = SimulatedGlove(
+        packets, len(glove.imus), params=params, temperature=simulation.imus.temperature
+    )
     worn.callback(device.stop)
     return device

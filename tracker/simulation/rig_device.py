@@ -293,7 +293,12 @@ class SimulatedRig:
     def _glove_of(self, hand: Simulation) -> SimulatedGlove:
         side = hand.glove.side
         params = GloveDeviceParams(glove_id=GLOVE_IDS[side])
-        return SimulatedGlove(self._packets[side], len(hand.glove.imus), params=params)
+        return SimulatedGlove(
+            self._packets[side],
+            len(hand.glove.imus),
+            params=params,
+            temperature=hand.imus.temperature,
+        )
 
 
 def _free_names(links: Sequence[Path], pipes: Sequence[Path], force: bool) -> None:

@@ -23,7 +23,8 @@ from tracker.hand.model import HandModel
 from tracker.messages import Array, BlobFrame, CameraImuSample, ImuSample, StereoFrame
 from tracker.simulation.desk.renderer import DeskParams, DeskRenderer
 from tracker.simulation.head import Head, HeadParams
-from tracker.simulation.imu import ImuParams, ImuSimulator
+from tracker.simulation.imu import ImuSimulator
+from tracker.simulation.imu_errors import ImuParams
 from tracker.simulation.motion import Motion
 from tracker.simulation.render import Renderer, RenderParams
 from tracker.simulation.scene import BlobParams, Extra, SimulatedScene
@@ -82,11 +83,12 @@ class SimulationParams:
     """The person, the sensors and the delays.
 
     ``person`` is the seed of the person, independent of the fitting of the glove: one person can
-    have several sessions.
+    have several sessions. ``device`` is likewise the seed of the errors of the glove's IMUs.
     """
 
     wearer: WearerParams = field(default_factory=WearerParams)
     person: int | None = None
+    device: int | None = None
     imu: ImuParams = field(default_factory=ImuParams)
     blobs: BlobParams = field(default_factory=BlobParams)
     render: RenderParams | DeskParams = field(default_factory=RenderParams)
@@ -125,7 +127,7 @@ class Simulation:
         self.params, self.fps, self.rig = params or SimulationParams(), fps, rig or ideal_rig()
         person = seed if self.params.person is None else self.params.person
         self.wearer = Wearer.random(hand, glove, person, self.params.wearer, fitting=seed)
-        self.imus = ImuSimulator(self.wearer, motion, seed, self.params.imu)
+        self.imus = ImuSimulator(self.wearer, motion, seed, self.params.imu, self.params.device)
         head = Head(self.rig.pose, seed, self.params.head)
         self.scene = SimulatedScene(
             self.wearer, motion, self.rig, seed, self.params.blobs, extras, head
