@@ -137,7 +137,11 @@ CASES: dict[str, Words] = {
 """Words of each command that writes, all its outputs in the folder ``f``."""
 ELSEWHERE = {("rig", "folder"), ("fill", "--out"), ("fill", "--json")}
 ELSEWHERE |= {("line-time", "--set"), ("line-time", "--json")}  # a swung hand
-ELSEWHERE |= {("evaluate shutter", "--json"), ("evaluate touch", "--json")}  # minutes
+ELSEWHERE |= {
+    ("evaluate shutter", "--json"),
+    ("evaluate effects", "--json"),
+    ("evaluate touch", "--json"),
+}  # minutes
 ELSEWHERE |= {("touch-test", "--output"), ("touch-test", "--json"), ("room align", "--out")}
 ELSEWHERE |= {("import-reference", "--output"), ("import-reference", "--json")}  # longer movement
 ELSEWHERE |= {("accuracy", "--output"), ("accuracy", "--json")}

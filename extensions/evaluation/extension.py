@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from extensions.evaluation.effects.command import add_effects, evaluate_effects
 from extensions.evaluation.faults.command import add_faults, evaluate_faults
 from extensions.evaluation.gestures.command import add_gestures, evaluate_gestures
 from extensions.evaluation.hands.command import add_hands, evaluate_hands
@@ -48,6 +49,12 @@ SHUTTER = Command(
     "track fast hands, and hands in front of a turning camera, with a rolling shutter",
     evaluate_shutter,
     add=add_shutter,
+)
+EFFECTS = Command(
+    "evaluate effects",
+    "track hands with the errors of real cameras and IMUs, each alone and all at once",
+    evaluate_effects,
+    add=add_effects,
 )
 ROBOT = Command(
     "evaluate robot",

@@ -11,7 +11,7 @@ import heapq
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
@@ -22,11 +22,13 @@ from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array, BlobFrame, CameraImuSample, ImuSample, StereoFrame
 from tracker.simulation.desk.renderer import DeskParams, DeskRenderer
+from tracker.simulation.flicker import Exposure, FlickerParams, flicker
 from tracker.simulation.head import Head, HeadParams
 from tracker.simulation.imu import ImuSimulator
 from tracker.simulation.imu_errors import ImuParams
 from tracker.simulation.motion import Motion
 from tracker.simulation.render import Renderer, RenderParams
+from tracker.simulation.rig_errors import RigErrorParams, true_camera
 from tracker.simulation.scene import BlobParams, Extra, SimulatedScene
 from tracker.simulation.smooth import rng_for
 from tracker.simulation.wearer import Wearer, WearerParams
@@ -76,6 +78,10 @@ def camera_imu_samples(
 Message = ImuSample | CameraImuSample | BlobFrame | StereoFrame
 MARGIN = 0.01
 """There are no samples in the last 10 ms of a motion, s."""
+MOST_JITTER = 3.0
+"""Standard deviations by which a time stamp is early or late at most."""
+LEAST_STEP = 1e-3
+"""s between the time stamps of two images."""
 
 
 @dataclass(frozen=True)
@@ -97,6 +103,24 @@ class SimulationParams:
     delay_least: float = 0.030  # s from the middle of an exposure to its arrival
     delay_most: float = 0.050
     right_late: float = 0.0  # s by which the right camera exposes after the left one
+    rig_errors: RigErrorParams = field(default_factory=RigErrorParams)
+    stamp_jitter: float = 0.0  # s, standard deviation of an image's time stamp
+    flicker: FlickerParams = field(default_factory=FlickerParams)
+
+
+Frame = TypeVar("Frame", BlobFrame, StereoFrame)
+
+
+def stamped(frames: Iterator[Frame], simulation: Simulation) -> Iterator[Frame]:
+    """The frames with the jitter of their time stamps, which stay in order."""
+    sd, rng, last = simulation.params.stamp_jitter, rng_for(simulation.seed, "stamps"), -np.inf
+    for frame in frames:
+        if sd > 0.0:
+            late = float(np.clip(rng.normal(0, sd), -MOST_JITTER * sd, MOST_JITTER * sd))
+            t = max(frame.t + late, last + LEAST_STEP)
+            frame = replace(frame, t=seconds(nanoseconds(t)))
+        last = frame.t
+        yield frame
 
 
 class Truth(NamedTuple):
@@ -110,7 +134,11 @@ class Truth(NamedTuple):
 
 
 class Simulation:
-    """One wearer, one motion, one rig, one seed."""
+    """One wearer, one motion, one rig, one seed.
+
+    ``rig`` is the calibration of the camera; with `SimulationParams.rig_errors`, the camera that
+    takes the images (``scene.rig``) differs from it.
+    """
 
     def __init__(
         self,
@@ -129,8 +157,9 @@ class Simulation:
         self.wearer = Wearer.random(hand, glove, person, self.params.wearer, fitting=seed)
         self.imus = ImuSimulator(self.wearer, motion, seed, self.params.imu, self.params.device)
         head = Head(self.rig.pose, seed, self.params.head)
+        camera = true_camera(self.rig, seed, self.params.rig_errors)
         self.scene = SimulatedScene(
-            self.wearer, motion, self.rig, seed, self.params.blobs, extras, head
+            self.wearer, motion, camera, seed, self.params.blobs, extras, head
         )
 
     @property
@@ -154,7 +183,7 @@ class Simulation:
 
     def frames(self, images: bool = False) -> Iterator[BlobFrame] | Iterator[StereoFrame]:
         """All frames in order: blobs, or images."""
-        return self._images() if images else self._blob_frames()
+        return stamped(self._images(), self) if images else stamped(self._blob_frames(), self)
 
     def _blob_frames(self) -> Iterator[BlobFrame]:
         late = self.params.right_late
@@ -174,7 +203,16 @@ class Simulation:
         late = self.params.right_late
         for index, t, arrival in self.exposures():
             frame = self.renderer.frame(t, arrival, index)
-            yield replace(frame, right=self.renderer.frame(t + late).right) if late else frame
+            frame = replace(frame, right=self.renderer.frame(t + late).right) if late else frame
+            yield self._lit(frame) if self.params.flicker.depth else frame
+
+    def _lit(self, frame: StereoFrame) -> StereoFrame:
+        """The frame under flickering lamps."""
+        readout = self.rig.line_time * (self.rig.left.height - 1)
+        exposure = Exposure(self.params.render.shutter, readout)
+        seen = [image for image in (frame.left, frame.right) if image is not None]
+        left, *right = flicker(seen, frame.t, exposure, self.params.flicker)
+        return replace(frame, left=left, right=right[0] if right else None)
 
     def feed(self, images: bool = False) -> Iterator[ImuSample | BlobFrame | StereoFrame]:
         """All messages in the order of arrival; IMU packets first of simultaneous ones."""

@@ -5,22 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
-import numpy as np
-
-from extensions.evaluation.vist.trial import ImageSearch, models
+from extensions.evaluation.tracked import compared, estimates_of
+from extensions.evaluation.vist.trial import models
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
-from tracker.hand.names import MARKED_KEYPOINTS
-from tracker.messages import BlobFrame, ImuSample, StereoFrame, Tracking
 from tracker.simulation.head import HeadParams
 from tracker.simulation.motion import Swinging
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation, SimulationParams
 from tracker.vision.rig import ideal_rig, with_readout
 
-SETTLED = 3.0  # s until which a wearer's hand is learned first
 POSTURE_EVERY = 3.0  # s
-EVERY = 4  # packets between compared instants
 
 
 @dataclass(frozen=True)
@@ -67,23 +62,7 @@ def run_trial(
     sim = simulation_of(case, seed)
     rig = sim.rig if case.compensated else replace(sim.rig, line_time=0.0)
     pipeline = Pipeline(sim.hand, sim.glove, rig, Settings(engine=case.engine))
-    search, estimates = ImageSearch(sim), []
-    for message in sim.messages(case.images):
-        if isinstance(message, ImuSample):
-            estimates.append(pipeline.feed_imu(message))
-            progress(message.t / case.seconds)
-        elif isinstance(message, BlobFrame):
-            pipeline.feed_frame(message)
-        elif isinstance(message, StereoFrame):
-            pipeline.feed_frame(search.blobs(message, pipeline))
-        if pipeline.take_results() and case.images and estimates:
-            search.look_ahead(pipeline, estimates[-1].t)
-    late = [e for e in estimates if e.t > SETTLED][::EVERY]
-    rows = [pipeline.keypoint_names.index(name) for name in MARKED_KEYPOINTS]
-    truths = sim.truths(np.array([e.t for e in late]))
-    given = np.array([e.keypoints[rows] for e in late])
-    true = np.array([truth.keypoints[rows] for truth in truths])
-    error = np.linalg.norm(given - true, axis=2)
-    tracked = np.mean([e.tracking == Tracking.TRACKING for e in late])
+    estimates = estimates_of(sim, pipeline, case.images, progress)
+    found = compared(sim, pipeline, estimates)
     offset = pipeline.timing.offset.value
-    return ShutterFigures(seed, 1e3 * float(np.nanmean(error)), float(tracked), 1e3 * offset)
+    return ShutterFigures(seed, found.error_mm, found.tracked, 1e3 * offset)

@@ -1,0 +1,111 @@
+"""The command ``evaluate effects``: the errors of real devices, each alone and all at once."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from tracker.base.errors import ConfigError
+from tracker.base.terminal import add_json
+
+if TYPE_CHECKING:
+    from extensions.evaluation.effects.trial import EffectsFigures
+
+LARGEST_RATIO = 1.15
+"""Goal: error with all effects relative to the error with none."""
+SHORT = ("clean", "all")
+
+
+class EffectsRow(NamedTuple):
+    """Of several people with one set of effects: mean error (mm), its ratio to that without any,
+    the smallest share of instants at which a hand is tracked, and the number of keypoints called
+    measured that are more than 50 mm wrong."""
+
+    name: str
+    error_mm: float
+    ratio: float
+    tracked: float
+    wrong: int
+
+
+def add_effects(parser: argparse.ArgumentParser) -> None:
+    """Its arguments."""
+    parser.add_argument(
+        "--participants", type=int, default=4, metavar="N", help="number of people (default: 4)"
+    )
+    parser.add_argument(
+        "--seconds", type=float, default=20.0, metavar="S", help="duration of each (default: 20)"
+    )
+    parser.add_argument(
+        "--short", action="store_true", help="only without any effect and with all of them"
+    )
+    parser.add_argument("--engine", default="chain", help="chain or vist")
+    parser.add_argument("--images", action="store_true", help="render images and detect blobs")
+    parser.add_argument(
+        "--fps", type=float, default=60.0, help="frame rate of the camera, Hz (default: 60)"
+    )
+    parser.add_argument("--seed", type=int, default=0, help="random seed of the first person")
+    parser.add_argument(
+        "--processes", type=int, default=1, metavar="N", help="worker processes (default: 1)"
+    )
+    add_json(parser)
+
+
+def evaluate_effects(args: argparse.Namespace) -> int:
+    """Track the people with each set of effects and print the figures."""
+    from extensions.evaluation.effects.trial import EFFECTS, EffectsCase, run_trial
+    from tracker.base.terminal import check_json, finish, progress_line
+    from tracker.base.workers import WorkItem, run_all, some_workers
+    from tracker.engine.kinds import ENGINES
+
+    check_json(args)
+    ENGINES.get(args.engine)  # raises ConfigError if the name is unknown
+    if args.participants < 1 or args.seconds < 5:
+        raise ConfigError("--participants must be at least 1, and --seconds at least 5.")
+    names = [n for n in (SHORT if args.short else EFFECTS) if args.images or n != "flicker"]
+    how = args.engine, args.images, args.fps, args.seconds
+    seeds = range(args.seed, args.seed + args.participants)
+    tasks = [
+        WorkItem(run_trial, (EffectsCase(EFFECTS[name], *how), seed))
+        for name in names
+        for seed in seeds
+    ]
+    with some_workers(max(1, min(args.processes, len(tasks)))) as workers:
+        outcomes = run_all(tasks, workers, progress_line(f"tracking {len(tasks)} trials"))
+    failed = [outcome.error for outcome in outcomes if outcome.error]
+    if failed:
+        raise ConfigError(failed[0])
+    rows = rows_of(names, [outcome.value for outcome in outcomes])
+    found = summary(rows)
+    finish(args, found, table(rows))
+    return 0 if found["ok"] else 1
+
+
+def rows_of(names: Sequence[str], figures: Sequence[EffectsFigures]) -> list[EffectsRow]:
+    """The figures, in the order of the trials, as one row for each name; the first is without
+    effects."""
+    people, rows, clean = len(figures) // len(names), list[EffectsRow](), 1.0
+    for k, name in enumerate(names):
+        of_name = figures[k * people : (k + 1) * people]
+        error = sum(f.error_mm for f in of_name) / people
+        clean = error if k == 0 else clean
+        tracked, wrong = min(f.tracked for f in of_name), sum(f.wrong for f in of_name)
+        rows.append(EffectsRow(name, error, error / clean, tracked, wrong))
+    return rows
+
+
+def summary(rows: Sequence[EffectsRow]) -> dict[str, Any]:
+    """JSON values: the rows, and whether the goal is met by the last one, with all effects."""
+    ok = rows[-1].ratio <= LARGEST_RATIO and not any(row.wrong for row in rows)
+    return {"rows": [row._asdict() for row in rows], "ratio": rows[-1].ratio, "ok": ok}
+
+
+def table(rows: Sequence[EffectsRow]) -> list[str]:
+    """The table as lines of text."""
+    lines = [f"{'effects':<18}{'mm':>7}{'ratio':>8}{'tracked %':>11}{'wrong':>7}"]
+    lines += [
+        f"{r.name:<18}{r.error_mm:>7.2f}{r.ratio:>8.3f}{100 * r.tracked:>11.1f}{r.wrong:>7d}"
+        for r in rows
+    ]
+    return lines
