@@ -67,13 +67,14 @@ class _Frozen:
                 value.setflags(write=False)
 
 
-@record("imu_sample", shapes={"accel": "n 3", "gyro": "n 3", "valid": "bool n"})
+@record("imu_sample", shapes={"accel": "n 3", "gyro": "n 3", "valid": "bool n", "temperature": "n"})
 @dataclass(frozen=True, eq=False, slots=True)
 class ImuSample(_Frozen):
     """One packet of a glove: all its IMUs at one instant, in the glove file's order.
 
     accel (n, 3) m/s² specific force and gyro (n, 3) rad/s, each in its IMU's frame I; rows of IMUs
-    that did not answer are NaN and ``valid`` is False there.
+    that did not answer are NaN and ``valid`` is False there. temperature (n,) °C if it was measured
+    again since the packet before, NaN for IMUs that did not answer.
     """
 
     t: float  # estimated sampling instant
@@ -83,6 +84,7 @@ class ImuSample(_Frozen):
     accel: Array
     gyro: Array
     valid: NDArray[np.bool_]
+    temperature: Array | None = None
 
 
 @record("camera_pose", shapes={"R_GC": "3 3", "p_GC": "3"})

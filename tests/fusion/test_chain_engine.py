@@ -83,10 +83,10 @@ def test_reports_what_is_measured_and_what_is_inferred(
 ) -> None:
     last, names = tracked[0][-1], sim.glove.keypoint_names(sim.hand)
     state = dict(zip(names, last.keypoint_state, strict=True))
-    assert state["index_pip"] == Validity.MEASURED and state["little_tip"] == Validity.INFERRED
+    assert state["middle_pip"] == Validity.MEASURED and state["little_tip"] == Validity.INFERRED
     angle = dict(zip(sim.hand.joint_names, last.angle_state, strict=True))
-    assert angle["index_pip_flexion"] == Validity.MEASURED
-    assert angle["index_dip_flexion"] == Validity.INFERRED
+    assert angle["middle_pip_flexion"] == Validity.MEASURED
+    assert angle["middle_dip_flexion"] == Validity.INFERRED
 
 
 def test_joints_are_rigid(sim: Simulation, tracked: tuple[list[Estimate], Array]) -> None:

@@ -14,8 +14,8 @@ from tracker.cli import main
 from tracker.fusion.chain.params import ChainParams, with_measured_noise
 from tracker.glove import library
 from tracker.glove.files import parse_glove
+from tracker.glove.imu_values import with_noise
 from tracker.glove.model import ImuNoise
-from tracker.glove.noise import with_noise
 from tracker.messages import ImuSample
 from tracker.offline.imu_noise import imu_noise
 from tracker.session.description import describe

@@ -15,9 +15,11 @@ from tracker.engine.settings import Settings
 from tracker.fusion.chain.guided.events import guided_of
 from tracker.fusion.chain.pose_reset import is_reset
 from tracker.fusion.worn import learner_of
+from tracker.glove.correction import ImuCorrection
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import (
+    Array,
     BlobFrame,
     Calibration,
     CameraImuSample,
@@ -47,11 +49,12 @@ Most stalls of the computer or the USB line are shorter, and their packets still
 ABANDONED = warning("tracking.abandoned")
 
 
-@record("pipeline")
+@record("pipeline", shapes={"celsius": "n"})
 @dataclass(eq=False)
 class PipelineSavedState:
     """All of a pipeline that changes; ``engine`` is what its engine keeps, ``packet`` when (s) the
-    last packet arrived, ``by_images`` whether the hand follows the images alone."""
+    last packet arrived, ``by_images`` whether the hand follows the images alone, ``celsius`` the
+    last temperatures of the IMUs, empty before the first."""
 
     engine: Any
     timing: FrameTimingSavedState
@@ -60,6 +63,7 @@ class PipelineSavedState:
     packet: float = -np.inf
     by_images: bool = False
     camera_motion: TimedPose | None = None
+    celsius: Array = field(default_factory=lambda: np.empty(0))
 
 
 class Pipeline:
@@ -86,6 +90,7 @@ class Pipeline:
         self.engine = build_engine(hand, glove, rig, self.settings)
         self._uses_images = capabilities_of(self.settings.engine).images
         self.rig = rig = rig or ideal_rig()
+        self._imus = ImuCorrection(glove)
         self._watch = RigWatch(rig)
         self._camera, self._camera_motion = CameraTilt(rig.pose), CameraMotionEstimate()
         offset = TimeOffset(hand, glove, rig)
@@ -116,6 +121,7 @@ class Pipeline:
 
     def feed_imu(self, sample: ImuSample) -> Estimate:
         """Feeds a packet; returns the hand at the packet's instant."""
+        sample = self._imus.corrected(sample)
         self._watch.packet(sample.t, sample.t_arrival)
         self._packet = sample.t_arrival
         self._follow_images(False)
@@ -240,7 +246,14 @@ class Pipeline:
         pair = self.pair_offset.get_state()
         engine = self.engine.get_state()
         return PipelineSavedState(
-            engine, timing, camera, pair, self._packet, self._by_images, self._camera_motion.last
+            engine,
+            timing,
+            camera,
+            pair,
+            self._packet,
+            self._by_images,
+            self._camera_motion.last,
+            self._imus.celsius,
         )
 
     def set_state(self, state: PipelineSavedState) -> None:
@@ -251,6 +264,7 @@ class Pipeline:
         self.pair_offset.set_state(state.pair)
         self._packet, self._by_images = state.packet, state.by_images
         self._camera_motion.last = state.camera_motion
+        self._imus.celsius = state.celsius
 
 
 def inferred(estimate: Estimate) -> Estimate:

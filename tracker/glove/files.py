@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import fields
 from pathlib import Path
+
+import numpy as np
 
 from tracker.base.toml_reader import TomlTable, read_text, read_toml
 from tracker.geometry import so3
-from tracker.glove.model import GloveModel, Imu, ImuNoise, Keypoint, Marker
+from tracker.glove.model import GloveModel, Imu, ImuAxes, ImuDrift, ImuNoise, Keypoint, Marker
 from tracker.hand.model import HandModel
 from tracker.hand.names import KEYPOINTS
+
+LARGEST_AXIS_ERROR = 0.1
+"""Of a correction of scale and axes: three times the data sheet's tolerance of an MPU-9250."""
 
 
 def load_glove(path: Path, hand: HandModel) -> GloveModel:
@@ -57,6 +63,8 @@ def _imu(t: TomlTable, hand: HandModel) -> Imu:
         position=t.vector("position", 3, limit=0.5),
         R_BI=so3.matrix_from_quat(t.unit("orientation_xyzw", 4)),
         noise=_noise(t.table("noise")) if t.has("noise") else None,
+        drift=_drift(t.table("drift")) if t.has("drift") else None,
+        axes=_axes(t.table("axes")) if t.has("axes") else None,
     )
     t.finish()
     return imu
@@ -71,6 +79,23 @@ def _noise(t: TomlTable) -> ImuNoise:
     )
     t.finish()
     return noise
+
+
+def _drift(t: TomlTable) -> ImuDrift:
+    drift = ImuDrift(*(t.vector(f.name, 3, limit=1.0) for f in fields(ImuDrift)))
+    if min(drift.gyro_sd.min(), drift.accel_sd.min()) < 0:
+        raise t.fail("gyro_sd", "and accel_sd must not be negative")
+    t.finish()
+    return drift
+
+
+def _axes(t: TomlTable) -> ImuAxes:
+    axes = ImuAxes(*(t.vector(f.name, 9).reshape(3, 3) for f in fields(ImuAxes)))
+    for name, matrix in (("gyro", axes.gyro), ("accel", axes.accel)):
+        if np.abs(matrix - np.eye(3)).max() > LARGEST_AXIS_ERROR:
+            raise t.fail(name, f"must be within {LARGEST_AXIS_ERROR} of the identity matrix")
+    t.finish()
+    return axes
 
 
 def _marker(t: TomlTable, hand: HandModel) -> Marker:

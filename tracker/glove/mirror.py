@@ -33,7 +33,8 @@ def mirrored_hand(hand: HandModel) -> HandModel:
 def mirrored_glove(glove: GloveModel) -> GloveModel:
     """A glove of the other side with mirrored IMUs and patches."""
     imus = tuple(
-        replace(i, position=i.position * [1, -1, 1], R_BI=_rotation(i.R_BI)) for i in glove.imus
+        replace(i, position=i.position * [1, -1, 1], R_BI=_rotation(i.R_BI), drift=None, axes=None)
+        for i in glove.imus
     )
     markers = tuple(
         replace(m, position=m.position * [1, -1, 1], normal=m.normal * [1, -1, 1])

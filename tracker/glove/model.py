@@ -30,15 +30,37 @@ class ImuNoise:
 
 
 @dataclass(frozen=True, eq=False)
+class ImuDrift:
+    """Change of an IMU's biases with its temperature, and the standard deviations (each (3,)):
+    ``gyro`` rad/s/°C, ``accel`` m/s²/°C (`tracker.calibration.imu_drift`)."""
+
+    gyro: Array
+    gyro_sd: Array
+    accel: Array
+    accel_sd: Array
+
+
+@dataclass(frozen=True, eq=False)
+class ImuAxes:
+    """Correction of an IMU's scale and cross-axis errors: ``gyro`` and ``accel`` (3, 3), by which
+    measured values are multiplied (`tracker.calibration.imu_axes`)."""
+
+    gyro: Array
+    accel: Array
+
+
+@dataclass(frozen=True, eq=False)
 class Imu:
-    """``position`` (3,) m of I in B; ``R_BI`` (3, 3) the nominal mounting; ``noise`` if it was
-    measured."""
+    """``position`` (3,) m of I in B; ``R_BI`` (3, 3) the nominal mounting; ``noise``, ``drift`` and
+    ``axes`` if they were measured."""
 
     name: str
     segment: str
     position: Array
     R_BI: Array
     noise: ImuNoise | None = None
+    drift: ImuDrift | None = None
+    axes: ImuAxes | None = None
 
 
 @dataclass(frozen=True, eq=False)

@@ -30,7 +30,7 @@ def _add(parser: argparse.ArgumentParser) -> None:
 
 
 def _run(args: argparse.Namespace) -> int:
-    from tracker.glove.noise import with_noise
+    from tracker.glove.imu_values import with_noise
     from tracker.offline.imu_noise import imu_noise
     from tracker.session.raw_imu import read_raw_imu
     from tracker.session.reader import SessionReader

@@ -285,7 +285,7 @@ class GloveLink:
             case Pulse():
                 self._events.add(pulse_event(frame, self._packet_clock, now))
             case Temperatures():
-                self.figures.imus.temperatures_cC = frame.values_cC
+                self.figures.imus.set_temperatures(frame.values_cC)
         return []
 
     def _greeted(self, hello: Hello, now: float) -> None:
@@ -373,7 +373,8 @@ class GloveLink:
         for j in np.flatnonzero(self.figures.imus.add(frame.raw)):
             trusted &= ~(1 << int(j))
             self._events.once(f"saturated {j}", warning("glove.imu_saturated", imu=j))
-        return [si_sample(frame, time_of, now, self._ranges, trusted)]
+        sample = si_sample(frame, time_of, now, self._ranges, trusted)
+        return [replace(sample, temperature=self.figures.imus.take_temperatures())]
 
     def _status(self, status: GloveStatus) -> None:
         self.figures.battery_mV, self.figures.dropped = status.battery_mV, status.dropped

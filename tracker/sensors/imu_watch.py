@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.messages import IntArray
+from tracker.messages import Array, IntArray
 from tracker.sensors.protocol import (
     SELFTEST_ABSENT,
     SELFTEST_ACCEL,
@@ -50,6 +50,7 @@ class ImuWatch:
     def __init__(self, n: int) -> None:
         self.saturated: IntArray = np.zeros(n, np.int64)
         self.temperatures_cC: tuple[int | None, ...] = (None,) * n
+        self._fresh = False
         self._last = np.zeros((n, 6), np.int16)
         self._same: IntArray = np.zeros((n, 6), np.int64)
 
@@ -60,6 +61,18 @@ class ImuWatch:
         self._same = np.where(raw == self._last, self._same + 1, 0)
         self._last = raw
         return found
+
+    def set_temperatures(self, values_cC: tuple[int | None, ...]) -> None:
+        """Take what the glove reports of its IMUs, 0.01 °C."""
+        self.temperatures_cC, self._fresh = values_cC, True
+
+    def take_temperatures(self) -> Array | None:
+        """(n,) °C if they were reported since the last call; NaN of an IMU without one."""
+        n = len(self.saturated)
+        if not self._fresh or len(self.temperatures_cC) != n:
+            return None
+        self._fresh = False
+        return np.array([np.nan if v is None else v / 100 for v in self.temperatures_cC])
 
     def stuck(self, imu: int) -> tuple[str, ...]:
         """Axes of an IMU that are stuck while others change."""

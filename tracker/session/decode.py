@@ -80,7 +80,7 @@ class MessageDecoder:
         imus = [topics.imu(side, n) for n in self._info.glove.imu_names]
         camera = [topics.TF, topics.CAMERA_POSE]
         table: dict[type, list[str]] = {
-            ImuSample: [*imus, topics.packets(side)],
+            ImuSample: [*imus, topics.packets(side), topics.temperatures(side)],
             CameraImuSample: [topics.CAMERA_IMU],
             WristPose: [topics.wrist_exact(side)],
             StereoFrame: [*(topics.image(c) for c in EYES), *camera],

@@ -12,6 +12,7 @@ from tracker.base.clock import NS, seconds
 from tracker.base.damage import LeftOut
 from tracker.messages import (
     EYES,
+    Array,
     BlobFrame,
     Blobs,
     CameraImuSample,
@@ -152,6 +153,7 @@ class SensorDecoder:
         both = frozenset(EYES)
         self._images = Grouper[sensors.ImageMessage](both, timing.frame_tolerance, timing.patience)
         self._blobs = Grouper[sensors.Detections](both, timing.frame_tolerance, timing.patience)
+        self._celsius: Array | None = None  # from the next packet on
         self._poses: dict[int, CameraPose] = {}
         self._cloth: dict[tuple[str, int], Cloth] = {}  # of the next blobs, by their stamp
         self._pose_tolerance = timing.frame_tolerance
@@ -161,6 +163,7 @@ class SensorDecoder:
         side = self._info.side
         table: dict[str, Callable[[RawMessage], list[Sensed]]] = {
             topics.packets(side): self._packet,
+            topics.temperatures(side): self._temperatures,
             topics.CAMERA_IMU: self._camera_imu,
             topics.wrist_exact(side): self._wrist,
             topics.CAMERA_POSE: self._exact_pose,
@@ -209,6 +212,13 @@ class SensorDecoder:
         variance = float(variances[0]), float(variances[1])
         return [WristPose(t, arrival, side, p_GT, q_GT, p_BT, q_BT, *variance)]
 
+    def _temperatures(self, raw: RawMessage) -> list[Sensed]:
+        values = motion.unpack_numbers(raw.data)
+        if len(values) != len(self._info.glove.imus):
+            raise CdrError("temperatures are not those of the glove's IMUs")
+        self._celsius = values.copy()
+        return []
+
     def _packet(self, raw: RawMessage) -> list[Sensed]:
         times = sensors.unpack_time_reference(raw.data)
         group = self._imus.close(times.stamp, raw.log_time, raw.sequence)
@@ -227,7 +237,8 @@ class SensorDecoder:
                 accel[i], gyro[i] = part.accel, part.gyro
                 valid[i] = bool(np.isfinite(accel[i]).all() and np.isfinite(gyro[i]).all())
         t, arrival = self._t(group.stamp), self._t(group.log_time)
-        return ImuSample(t, arrival, device, group.sequence - 1, accel, gyro, valid)
+        celsius, self._celsius = self._celsius, None
+        return ImuSample(t, arrival, device, group.sequence - 1, accel, gyro, valid, celsius)
 
     def _image(self, raw: RawMessage) -> list[Sensed]:
         part = sensors.unpack_image(raw.data)

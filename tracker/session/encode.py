@@ -132,6 +132,9 @@ class Encoder:
         stamp, log = self._wall(m.t), self._wall(m.t_arrival)
         self._arrivals.add(log)
         sequence = (m.seq + 1) % 2**32
+        if m.temperature is not None:
+            data = motion.pack_numbers(m.temperature)
+            yield Out(topics.temperatures(self._side), motion.NUMBERS, log, stamp, data)
         for i, name in enumerate(self._info.glove.imu_names):
             if m.valid[i]:
                 measured = m.gyro[i], m.accel[i], *self._imu_variances[i]

@@ -20,6 +20,11 @@ def packets(side: str) -> str:
     return f"/glove/{side}/packets"
 
 
+def temperatures(side: str) -> str:
+    """°C of each IMU, in the order of the glove file; before the packet from which they apply."""
+    return f"/glove/{side}/temperatures"
+
+
 def wrist_pose(side: str) -> str:
     """Pose of a tracker on the hand, which another system measured, as other programs read it."""
     return f"/room/{side}/pose"
