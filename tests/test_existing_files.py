@@ -148,6 +148,7 @@ ELSEWHERE |= {("accuracy", "--output"), ("accuracy", "--json")}
 ELSEWHERE |= {(f"study {name}", "--json") for name in ("check", "status", "tables", "export")}
 ELSEWHERE |= {(f"study {name}", "--output") for name in ("report", "tables", "export")}
 ELSEWHERE |= {("imu-noise", "--out"), ("imu-noise", "--json")}  # a minute at rest
+ELSEWHERE |= {(f"imu-{name}", "--json") for name in ("axes", "drift")}
 ELSEWHERE |= {(opens, "--out") for opens in ("window", "demo", "devices")}
 """Options whose tests are of their own, below."""
 

@@ -373,6 +373,8 @@ class GloveLink:
         for j in np.flatnonzero(self.figures.imus.add(frame.raw)):
             trusted &= ~(1 << int(j))
             self._events.once(f"saturated {j}", warning("glove.imu_saturated", imu=j))
+        for stuck, axes in self.figures.imus.newly_stuck():
+            self._events.report(warning("glove.imu_stuck", imu=stuck, axes=axes))
         sample = si_sample(frame, time_of, now, self._ranges, trusted)
         return [replace(sample, temperature=self.figures.imus.take_temperatures())]
 

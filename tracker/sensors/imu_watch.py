@@ -81,6 +81,11 @@ class ImuWatch:
             return ()
         return tuple(axis for axis, is_stuck in zip(AXES, still, strict=True) if is_stuck)
 
+    def newly_stuck(self) -> list[tuple[int, tuple[str, ...]]]:
+        """IMUs with axes that have just become stuck, and these axes."""
+        rows = np.flatnonzero((self._same == STUCK_PACKETS).any(axis=1))
+        return [(int(j), axes) for j in rows if (axes := self.stuck(int(j)))]
+
     def reports(self, chips: tuple[ImuChip, ...]) -> tuple[ImuReport, ...]:
         """All IMUs; ``chips`` as the glove's greeting has them, empty if it has none."""
         return tuple(

@@ -152,6 +152,22 @@ TEXTS = {
     ),
     "glove.imu_silent": "IMU {imu} of the glove is not responding.",
     "glove.imu_back": "IMU {imu} of the glove is responding again.",
+    "glove.imu_stuck": (
+        "IMU {imu} of the glove: axes that no longer change: {axes:list}. Restart the glove; if "
+        "they stay so, replace the IMU."
+    ),
+    "imu_axes.few_rests": (
+        "The recording has {rests} rests; at least {fewest} in different positions are needed. Lay "
+        "the glove still for two seconds on each side of a box."
+    ),
+    "imu_drift.no_temperatures": (
+        "{path} has no temperatures of IMUs. Firmware 1.3 of the glove reports them."
+    ),
+    "imu_drift.other_glove": "{path} is a recording of another glove: it has the IMU {imu}.",
+    "imu_drift.no_rest": (
+        "The recordings have no rest of a second. Lay the glove down at the beginning and at the "
+        "end."
+    ),
     "gloves.exchanged": (
         "The two gloves are exchanged: each uses the files of the other hand. Choose the "
         "hand of each in the gloves' set-up."
