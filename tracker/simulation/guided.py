@@ -18,7 +18,7 @@ from tracker.geometry import so3
 from tracker.geometry.solids import nearest_to_axis
 from tracker.hand.model import HandModel
 from tracker.hand.names import CHAINS, FINGERS
-from tracker.hand.poses import BETWEEN, EARLY, HELD, LATE, POSES
+from tracker.hand.poses import BETWEEN, EARLY, HELD, LATE, POSES, GuidedPose
 from tracker.messages import Array, Event
 from tracker.simulation.motion import Motion, Poses, Still
 from tracker.simulation.postures import posture
@@ -27,6 +27,9 @@ from tracker.simulation.smooth import SmoothNoise, minimum_jerk, rng_for
 from tracker.simulation.wearer import Wearer
 
 FIRST = 2.0  # s flat and in view before the first pose
+SOLVED = 8  # steps of an iteration whose error shrinks in each
+ALL_TRIED = 3  # initial values of a pinch that are always tried, before those for unusual joints
+GOOD_TOUCH = 20.0  # half the sum of a pinch's squared misfits
 PAD = 0.006  # m from a fingertip to the centre of its pad
 
 
@@ -153,21 +156,29 @@ class HeldHand:
             return self._pinch(pose.touches, t)
         angles = posture(self.hand, _BESIDE[name])
         for f in pose.flexions:
-            # DIP joints cannot be bent voluntarily
-            if f.joint.endswith(("_mcp", "_pip")) and f"{f.joint}_flexion" in self.hand.angle_index:
+            if not f.by_will and f"{f.joint}_flexion" in self.hand.angle_index:
                 angles[self.hand.angle_index[f"{f.joint}_flexion"]] = f.value + self._off()
-        angles = self._inferred(angles)
-        if name == "thumb_up":
-            angles = self._straight(angles, t)
-        return self._laid_flat(angles, t) if pose.on_table else angles
+        forced = self._forced(pose)
+        angles = self._with_forced(self._inferred(angles), forced, t)
+        return self._laid_flat(angles, forced, t) if pose.on_table else angles
 
-    def _straight(self, angles: Array, t: float) -> Array:
-        """The thumb's joints held straight actively, independent of its synergy."""
-        out = angles.copy()
-        mcp, ip = (self.hand.angle_index.get(f"thumb_{j}_flexion", -1) for j in ("mcp", "ip"))
-        if min(mcp, ip) >= 0:
-            out[mcp] = self._off()
-            out[ip] = self._off() - self._wearer.beyond_synergies(out, t)[ip]
+    def _forced(self, pose: GuidedPose) -> dict[int, float]:
+        """Column and angle (rad) of the end joints that are held independent of their synergies, by
+        a table, by other fingers or actively."""
+        out, off = {}, np.deg2rad(self._params.off_deg)
+        for f in pose.flexions:
+            column = self.hand.angle_index.get(f"{f.joint}_flexion", -1)
+            if f.by_will and column >= 0:
+                way = self._rng.choice([-1.0, 1.0])
+                out[column] = f.value + self._rng.normal(0, f.sd) + way * off
+        return out
+
+    def _with_forced(self, angles: Array, forced: dict[int, float], t: float) -> Array:
+        """The angles (J,) rad to which the wearer's deviations add up to ``forced``."""
+        out, columns = angles.copy(), list(forced)
+        wanted = np.array(list(forced.values()))
+        for _ in range(SOLVED):  # a deviation depends on its own angle only near the limits
+            out[columns] = wanted - self._wearer.beyond_synergies(out, t)[columns]
         return out
 
     def _off(self) -> float:
@@ -181,7 +192,7 @@ class HeldHand:
         known = np.array([n not in distal for n in self.hand.joint_names])
         return self.hand.apply_synergies(angles, known)[0]
 
-    def _laid_flat(self, angles: Array, t: float) -> Array:
+    def _laid_flat(self, angles: Array, forced: dict[int, float], t: float) -> Array:
         """MCP joints bend until the fingertips are in the plane of the palm."""
         names = [f"{f}_mcp_flexion" for f in FINGERS if f"{f}_mcp_flexion" in self.hand.angle_index]
         columns = [self.hand.angle_index[n] for n in names]
@@ -190,15 +201,16 @@ class HeldHand:
         palm = -self.hand.segments[self.hand.root].radius * self._wearer.scale[self.hand.root, 2]
         off = np.deg2rad(self._params.off_deg) * self._rng.choice([-1.0, 1.0])
 
-        def misfit(bent: Array) -> Array:
+        def lying(bent: Array) -> Array:
             trial = angles.copy()
             trial[columns] = bent
-            pads = self._pads(trial, t, rows)
+            return self._with_forced(trial, forced, t)
+
+        def misfit(bent: Array) -> Array:
+            pads = self._pads(lying(bent), t, rows)
             return np.asarray((pads[:, 2] - palm - height) / 1e-3)
 
-        out = angles.copy()
-        out[columns] = least_squares(misfit, angles[columns]).x + off
-        return self._inferred(out)
+        return lying(least_squares(misfit, angles[columns]).x + off)
 
     def _pinch(self, finger: str, t: float) -> Array:
         """Thumb and finger bend until their pads meet, as close to a typical pinch as possible."""
@@ -212,7 +224,9 @@ class HeldHand:
         asked = abs(rng.normal(0, p.gap)) + p.apart, PAD + rng.normal(0, p.pad, 2)
         low, high = self.hand.angle_limits[columns].T
         best, least = posture(self.hand, {}), np.inf
-        for mcp, pip in ((48.0, 45.0), (62.0, 30.0), (35.0, 65.0)):
+        for tried, (mcp, pip) in enumerate(_STARTS):
+            if tried >= ALL_TRIED and least < GOOD_TOUCH:
+                break
             start = posture(self.hand, _pinching(finger, mcp, pip))
 
             def misfit(bent: Array, start: Array = start) -> Array:
@@ -290,6 +304,9 @@ def _pinching(finger: str, mcp: float, pip: float) -> dict[str, float]:
 _THUMB = ("thumb_cmc_flexion", "thumb_cmc_abduction", "thumb_cmc_twist", "thumb_mcp_flexion")
 _FINGER = ("mcp_flexion", "mcp_abduction", "pip_flexion")
 """Axes that may be adjusted to make two pads meet."""
+
+_STARTS = ((48.0, 45.0), (62.0, 30.0), (35.0, 65.0), (75.0, 10.0), (20.0, 80.0), (60.0, 60.0))
+"""MCP and PIP flexion (degrees) from which a pinch is solved."""
 
 _BESIDE: dict[str, dict[str, float]] = {
     "flat": {"thumb_cmc_flexion": -5.0},

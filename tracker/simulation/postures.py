@@ -13,17 +13,30 @@ from tracker.messages import Array
 Angles = dict[str, float]
 Generator = np.random.Generator
 
+APART_DEG = {
+    ("ring", "mcp"): 17.0,
+    ("ring", "pip"): 5.0,
+    ("little", "mcp"): 9.0,
+    ("little", "pip"): 7.0,
+}
+"""Standard deviation from the neighbour towards the thumb, besides that of the kind of posture.
+With it, ring and little finger differ from their neighbours as in recordings of people who handle
+objects (extensions/evaluation/docs/evaluation.md)."""
+STRAIGHT_OR_CLOSED = 0.4  # of these deviations where all fingers are straight, or closed
+
 
 def random_posture(hand: HandModel, rng: Generator, holding: bool = False) -> Array:
     """Angles (J,) rad within limits; synergies are exact for thumb IP and the DIP joints.
 
     ``holding``: only postures around an object.
     """
+    own = rng.spawn(1)[0]
     if holding:
-        return posture(hand, _grip(rng))
+        return posture(hand, _apart(own, _grip(rng), 1.0))
     kinds = [_free, _open, _fist, _pinch, _point, _grip]
     kind: Callable[[Generator], Angles] = kinds[rng.choice(6, p=[0.4, 0.15, 0.1, 0.12, 0.1, 0.13])]
-    return posture(hand, kind(rng))
+    share = STRAIGHT_OR_CLOSED if kind in (_open, _fist, _point) else 1.0
+    return posture(hand, _apart(own, kind(rng), share))
 
 
 def posture(hand: HandModel, degrees: Angles) -> Array:
@@ -64,6 +77,18 @@ def _thumb(rng: Generator, flexion: float, abduction: float, mcp: float) -> Angl
         "thumb_mcp_flexion": max(mcp + rng.normal(0, 8), -5.0),
         "thumb_mcp_abduction": rng.normal(0, 4),
     }
+
+
+def _apart(rng: Generator, angles: Angles, share: float) -> Angles:
+    """The angles with ring and little finger bent independently, the little as far as the ring and
+    its own deviation."""
+    out, carried = dict(angles), {"mcp": 0.0, "pip": 0.0}
+    for (finger, joint), sd in APART_DEG.items():
+        carried[joint] += share * rng.normal(0, sd)
+        name = f"{finger}_{joint}_flexion"
+        if name in out:
+            out[name] += carried[joint]
+    return out
 
 
 def _free(rng: Generator) -> Angles:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -11,6 +11,7 @@ from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array, IntArray
+from tracker.simulation.end_joints import AS_IN_FILE, FINGER, THUMB, EndJointParams, EndJoints
 from tracker.simulation.kinematics import angles_from_many, forward_many
 from tracker.simulation.motion import Motion
 from tracker.simulation.smooth import SmoothNoise, rng_for
@@ -18,22 +19,23 @@ from tracker.simulation.smooth import SmoothNoise, rng_for
 
 @dataclass(frozen=True)
 class WearerParams:
-    """Standard deviations over people and fittings, unless stated otherwise."""
+    """Standard deviations over people and fittings, unless stated otherwise.
 
-    common_size: float = 0.05  # of everything, a factor
-    largest_size: float = 0.10  # the common size stays within 1 ± this
-    length: float = 0.02  # of a segment on its own, a factor
-    girth: float = 0.03
+    Sources: extensions/evaluation/docs/evaluation.md, "Simulated people".
+    """
+
+    common_size: float = 0.06  # of everything, a factor
+    largest_size: float = 0.15  # the common size stays within 1 ± this
+    length: float = 0.04  # of a segment on its own, a factor
+    breadth: float = 0.05  # of the whole hand's girth, given its size
+    girth: float = 0.03  # of a segment on its own
     joint_offset: float = 0.0015  # m, of the fingers' first joints in the dorsum
     axis_deg: float = 3.0  # oblique joint axes, about each axis
+    thumb_axis_deg: float = 5.0
     twist_per_flexion: float = 0.05  # twist coupled to flexion
-    synergy_ratio: float = 0.06  # of individual ratios
-    synergy_offset_deg: float = 3.5
-    synergy_drift_deg: float = 4.0
-    thumb_ratio: float = 0.06  # the same of the thumb's end joint
-    thumb_offset_deg: float = 3.5
-    thumb_drift_deg: float = 4.0
-    synergy_time: float = 2.0  # s, correlation
+    finger_end: EndJointParams = FINGER
+    thumb_end: EndJointParams = THUMB
+    synergy_time: float = 2.0  # s, correlation of the end joints' drift
     mounting_deg: float = 4.33  # about each axis: 7.5° in all
     wobble_deg: float = 1.2  # about each axis, with posture and time
     imu_place: float = 0.001  # m along each axis
@@ -41,19 +43,12 @@ class WearerParams:
     slip: float = 0.001  # m, of the cloth on a segment, in all
     slip_time: float = 4.0  # s, correlation
 
-
-REAL_PEOPLE = WearerParams(
-    synergy_ratio=0.15,
-    synergy_offset_deg=5.0,
-    synergy_drift_deg=11.0,
-    thumb_ratio=0.4,
-    thumb_offset_deg=8.0,
-    thumb_drift_deg=15.0,
-)
-"""End joints as in recordings of real hands. Given a line per person, the index finger's DIP
-differs from what its PIP suggests by 4 to 17° (median 11°), and the thumb's IP from what its MCP
-suggests by 5 to 23° (14 to 15°), with correlations of either sign (optical capture of handling
-objects, 16 takes; an instrumented glove, 7 people)."""
+    @classmethod
+    def none(cls) -> WearerParams:
+        """People who match the files exactly."""
+        times = {"synergy_time": cls.synergy_time, "slip_time": cls.slip_time}
+        zeros = {f.name: 0.0 for f in fields(cls) if isinstance(f.default, float)} | times
+        return replace(cls(finger_end=AS_IN_FILE, thumb_end=AS_IN_FILE), **zeros)
 
 
 class TrueHand(NamedTuple):
@@ -82,8 +77,12 @@ class Wearer:
         self.hand, self.glove, self.params = hand, glove, params or WearerParams()
         self._column = np.array(hand.axis_columns, np.int64)
         self._parent = np.array(hand.parent, np.int64)
+        p = self.params
+        self._breadth = float(rng_for(seed, "breadth").normal(0, p.breadth))
         self._draw_hand(rng_for(seed, "hand"))
-        self._draw_synergies(rng_for(seed, "synergy"))
+        self.end_joints = EndJoints(
+            hand, rng_for(seed, "synergy"), p.finger_end, p.thumb_end, p.synergy_time
+        )
         fitting = seed if fitting is None else fitting
         self._draw_imus(rng_for(fitting, "imu"))
         self._draw_markers(rng_for(fitting, "markers"))
@@ -91,8 +90,7 @@ class Wearer:
     @classmethod
     def exact(cls, hand: HandModel, glove: GloveModel) -> Wearer:
         """A wearer who matches the files exactly."""
-        zeros = {name: 0.0 for name in WearerParams.__dataclass_fields__ if "time" not in name}
-        return cls(hand, glove, 0, WearerParams(**zeros))
+        return cls(hand, glove, 0, WearerParams.none())
 
     @classmethod
     def random(
@@ -110,30 +108,18 @@ class Wearer:
         p, n = self.params, len(self.hand.segments)
         common = np.clip(rng.normal(0, p.common_size), -p.largest_size, p.largest_size)
         length = (1 + common) * (1 + rng.normal(0, p.length, n))
-        girth = (1 + common) * (1 + rng.normal(0, p.girth, n))
+        broad = (1 + common) * (1 + self._breadth)
+        girth = broad * (1 + rng.normal(0, p.girth, n))
         self.scale: Array = np.column_stack([length, girth, girth])
         origin = np.array([s.origin for s in self.hand.segments]) * self.scale[self._parent]
         on_root = self._parent == self.hand.root
         origin += on_root[:, None] * rng.normal(0, p.joint_offset, (n, 3))
         self._origin = origin
         rest = np.array([s.R_rest for s in self.hand.segments])
-        self._R_rest = rest @ so3.exp(rng.normal(0, np.deg2rad(p.axis_deg), (n, 3)))
+        thumb = np.array([s.name.startswith("thumb") for s in self.hand.segments])
+        axis_deg = np.where(thumb, p.thumb_axis_deg, p.axis_deg)[:, None]
+        self._R_rest = rest @ so3.exp(rng.normal(0, np.deg2rad(axis_deg), (n, 3)))
         self._twist = rng.normal(0, p.twist_per_flexion, n) * (self._column[:, 1] >= 0)
-
-    def _draw_synergies(self, rng: np.random.Generator) -> None:
-        """Individual ratio and offset, and a slow drift, for each angle inferred by a synergy."""
-        p, hand = self.params, self.hand
-        own = [s for s in hand.synergies if s.angle.split("_")[1] in ("dip", "ip")]
-        self._synergy_angle = np.array([hand.angle_index[s.angle] for s in own], np.int64)
-        self._synergy_of = np.array([hand.angle_index[s.of] for s in own], np.int64)
-        thumb = np.array([s.angle.startswith("thumb") for s in own], bool)
-        ratio = np.where(thumb, p.thumb_ratio, p.synergy_ratio)
-        offset_deg = np.where(thumb, p.thumb_offset_deg, p.synergy_offset_deg)
-        self._synergy_ratio = rng.normal(0, ratio)
-        self._synergy_offset = rng.normal(0, np.deg2rad(offset_deg))
-        self._synergy_drift = SmoothNoise(rng, (len(own),), p.synergy_time)
-        drift_deg = np.where(thumb, p.thumb_drift_deg, p.synergy_drift_deg)
-        self._drift_sd: Array = np.deg2rad(drift_deg)
 
     def _draw_imus(self, rng: np.random.Generator) -> None:
         p, glove, n = self.params, self.glove, len(self.glove.imus)
@@ -188,9 +174,10 @@ class Wearer:
         t = np.asarray(t, float)
         poses = motion.poses(t)
         angles = poses.angles
-        if motion.follows_synergies and len(self._synergy_angle):
+        ends = self.end_joints
+        if motion.follows_synergies and len(ends.angle):
             angles = angles.copy()
-            angles[:, self._synergy_angle] += self._synergy_error(t, angles)
+            angles[:, ends.angle] += ends.deviation(t, angles)
         R, p = forward_many(
             self._parent,
             self._origin,
@@ -203,18 +190,12 @@ class Wearer:
         )
         return R, p, angles
 
-    def _synergy_error(self, t: Array, angles: Array) -> Array:
-        """(n, synergies) rad: deviation of a distal angle from the synergy of the hand file."""
-        drift = self._drift_sd * self._synergy_drift(t)
-        source = angles[:, self._synergy_of]
-        return self._synergy_ratio * source + self._synergy_offset + drift
-
     def beyond_synergies(self, angles: Array, t: float) -> Array:
         """(J,) rad by which the wearer's distal joints deviate at ``t`` (s) from angles (J,) of a
         motion that follows synergies."""
-        out = np.zeros_like(angles)
-        if len(self._synergy_angle):
-            out[self._synergy_angle] = self._synergy_error(np.array([t]), angles[None])[0]
+        out, ends = np.zeros_like(angles), self.end_joints
+        if len(ends.angle):
+            out[ends.angle] = ends.deviation(np.array([t]), angles[None])[0]
         return out
 
     def imus(self, motion: Motion, t: Array) -> tuple[Array, Array]:

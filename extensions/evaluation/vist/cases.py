@@ -52,7 +52,6 @@ class Case:
     wearer: str = ""  # path of a profile that every participant begins with
     lenses: str = "both"  # or one, or none: a glove without a camera
     measured: bool = False  # the length of each participant's hand is known, by a ruler
-    people: str = "usual"  # or real: end joints as variable as in recordings of real hands
 
     @property
     def has_camera(self) -> bool:

@@ -103,7 +103,7 @@ def cases_of(args: VistOptions) -> list[Any]:
                 case = replace(case, minutes=QUICK_MINUTES)
             files = tuple(map(str, args.motion))
             case = replace(case, wearer=str(args.wearer or ""), lenses=args.lenses)
-            case = replace(case, measured=args.measured and engine != "vist", people=args.people)
+            case = replace(case, measured=args.measured and engine != "vist")
             out.append(replace(case, motion_files=files, distractors=max(args.distractors, 0)))
     first = out[: len(engines)]
     guided = _guided(first[0]) if args.guided else []

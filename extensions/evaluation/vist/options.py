@@ -73,14 +73,6 @@ class VistOptions:
     measured: bool = field(
         default=False, metadata=argument("the hand lengths are known from a ruler (sd 2 mm)")
     )
-    people: str = field(
-        default="usual",
-        metadata=argument(
-            "end joints of the participants: close to the hand file's coupling, or as variable as "
-            "in recordings of real hands",
-            choices=("usual", "real"),
-        ),
-    )
     all_keypoints: bool = field(
         default=False,
         metadata=argument(

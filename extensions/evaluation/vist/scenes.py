@@ -21,7 +21,7 @@ from tracker.simulation.scenario import Simulation, SimulationParams
 from tracker.simulation.scene import Extra
 from tracker.simulation.smooth import rng_for
 from tracker.simulation.solids import Solids
-from tracker.simulation.wearer import REAL_PEOPLE, Wearer, WearerParams
+from tracker.simulation.wearer import Wearer
 from tracker.vision.lenses import with_one_camera
 from tracker.vision.rig import ideal_rig
 
@@ -63,7 +63,7 @@ def guided_motion(
 ) -> GuidedPoses:
     """Guided poses before ``then``, by the person that `simulation_of` draws from ``seed``."""
     params = HELD_BADLY if case.guided == "badly" else HoldParams()
-    wearer = Wearer.random(hand, glove, seed, people_of(case))
+    wearer = Wearer.random(hand, glove, seed)
     return GuidedPoses(wearer, then, seed, params)
 
 
@@ -84,14 +84,9 @@ def simulation_of(
     head = MOVING if case.experiment == "head" else HeadParams()
     if variant is not None:
         head = replace(head, tells=variant.camera)
-    params = SimulationParams(people_of(case), person, head=head, render=room.render)
+    params = SimulationParams(person=person, head=head, render=room.render)
     rig = with_one_camera(ideal_rig()) if case.lenses == "one" else ideal_rig()
     return Simulation(hand, glove, motion, seed, params, fps=fps, rig=rig, extras=extras)
-
-
-def people_of(case: Case) -> WearerParams:
-    """How much the participants differ from their files."""
-    return REAL_PEOPLE if case.people == "real" else WearerParams()
 
 
 def extras_of(case: Case, hand: HandModel, seed: int) -> Sequence[Extra]:

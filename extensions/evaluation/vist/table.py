@@ -33,7 +33,6 @@ def row_of(case: Case, trials: Sequence[Trial]) -> dict[str, Any]:
         "wearer": case.wearer,
         "lenses": case.lenses,
         "measured": case.measured,
-        "people": case.people,
         "all_keypoints": [asdict(a) for a in agreement(trials)],
     }
     row.update(asdict(summary))
@@ -82,8 +81,6 @@ def _variant(case: Case) -> str:
         parts.append("one camera" if case.lenses == "one" else "no camera")
     if case.measured:
         parts.append("hand measured")
-    if case.people != "usual":
-        parts.append("real end joints")
     if case.guided:
         parts.append(GUIDED[case.guided])
     if case.wearer:

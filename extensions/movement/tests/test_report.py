@@ -70,8 +70,7 @@ def sessions(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
     simulated, tracked = folder / "simulated.mcap", folder / "tracked.mcap"
     first, info = build(SimulateOptions(seed=3, duration=2.0, images=False))
     _, R_GB, p_GB = pose_at(first.motion, 0.0)
-    zeros = {n: 0.0 for n in WearerParams.__dataclass_fields__ if "time" not in n}
-    exact = SimulationParams(wearer=WearerParams(**zeros))
+    exact = SimulationParams(wearer=WearerParams.none())
     sim = Simulation(info.hand, info.glove, Fists(info.hand, R_GB, p_GB), 3, exact, 30.0)
     info = replace(info, rig=sim.rig, participant="Ann & co")
     with SessionRecorder(simulated, info, RecorderParams(images="none", sync=False)) as recorder:

@@ -26,9 +26,8 @@ class BentThumb(Wearer):
     """A wearer whose thumb's end joint is bent more than usual, otherwise as in the files."""
 
     def __init__(self, hand: HandModel, glove: GloveModel) -> None:
-        zeros = {k: 0.0 for k in WearerParams.__dataclass_fields__ if "time" not in k}
-        super().__init__(hand, glove, 0, WearerParams(**zeros))
-        self._synergy_offset[0] = BENT
+        super().__init__(hand, glove, 0, WearerParams.none())
+        self.end_joints.offset[0] = BENT
 
 
 @pytest.fixture(scope="module")
