@@ -81,12 +81,14 @@ def test_tracks_a_person(tracked: tuple[list[Estimate], Array]) -> None:
 def test_reports_what_is_measured_and_what_is_inferred(
     sim: Simulation, tracked: tuple[list[Estimate], Array]
 ) -> None:
-    last, names = tracked[0][-1], sim.glove.keypoint_names(sim.hand)
-    state = dict(zip(names, last.keypoint_state, strict=True))
-    assert state["middle_pip"] == Validity.MEASURED and state["little_tip"] == Validity.INFERRED
-    angle = dict(zip(sim.hand.joint_names, last.angle_state, strict=True))
-    assert angle["middle_pip_flexion"] == Validity.MEASURED
-    assert angle["middle_dip_flexion"] == Validity.INFERRED
+    names, joints = sim.glove.keypoint_names(sim.hand), sim.hand.joint_names
+    shown = [e for e in tracked[0] if e.t > 4.0]
+    state = dict(zip(names, np.transpose([e.keypoint_state for e in shown]), strict=True))
+    angle = dict(zip(joints, np.transpose([e.angle_state for e in shown]), strict=True))
+    assert np.mean(state["index_pip"] == Validity.MEASURED) > 0.7  # where it is not occluded
+    assert np.mean(angle["index_pip_flexion"] == Validity.MEASURED) > 0.7
+    assert np.all(state["little_tip"] == Validity.INFERRED)
+    assert np.all(angle["index_dip_flexion"] == Validity.INFERRED)
 
 
 def test_joints_are_rigid(sim: Simulation, tracked: tuple[list[Estimate], Array]) -> None:

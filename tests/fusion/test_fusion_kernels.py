@@ -17,7 +17,6 @@ from tracker.fusion.kalman import joined, products, times, update
 from tracker.fusion.output.output import (
     BASE_SD,
     INFERRED_DEG,
-    REACH,
     HandOutput,
     Sensed,
     sensed_lately,
@@ -115,25 +114,24 @@ def test_validity_and_sd_follow_the_tree(
             expected = Validity.LOST
         assert e.keypoint_state[k] == expected
         end = hand.parent[i] if base else i
-        known = _sd(layout, sd, end, i)
+        known = _sd(layout, sd, end, i, positions[k] - e.segment_p)
         if hand.segment_names[i].startswith(("ring", "little")):  # more in test_inferred_sd.py
             assert e.keypoint_sd[k] >= known * (1 - 1e-9)
         else:
             assert e.keypoint_sd[k] == pytest.approx(known)
 
 
-def _sd(layout: ChainLayout, sd: Array, segment: int, moves_with: int) -> float:
-    """Whether the keypoint is at the end of ``segment``, at a joint of the segment it moves
-    with."""
-    reach, row = 0.0, segment
+def _sd(layout: ChainLayout, sd: Array, segment: int, moves_with: int, levers: Array) -> float:
+    """Of a keypoint at the end of ``segment``, which is a joint of the segment it moves with, or of
+    that; ``levers`` (S, 3) m from the segments' origins."""
+    row = segment
     knuckle = row == 0 and moves_with not in layout.row_of
     variance = BASE_SD**2 if knuckle else 0.0
     while row not in layout.row_of:
         variance += BASE_SD**2 if layout.hand.parent[row] == 0 else 0.0
         bone = layout.hand.segments[row]
         kind = bone.name if bone.name in INFERRED_DEG else bone.name.split("_")[1]
-        reach += REACH * bone.length
-        variance += (reach * np.deg2rad(INFERRED_DEG[kind])) ** 2 / 3
+        variance += levers[row] @ levers[row] * np.deg2rad(INFERRED_DEG[kind]) ** 2 / 3
         row = layout.hand.parent[row]
     return float(np.sqrt(sd[layout.row_of[row]] ** 2 + variance))
 

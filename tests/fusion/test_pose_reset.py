@@ -161,7 +161,8 @@ def test_a_drifted_finger_is_straightened(hand: HandModel, glove: GloveModel) ->
         pipeline.feed_imu(sample)
     before = _bent(pipeline)
     pipeline.feed_event(reset_event(RESET))
-    assert before > np.deg2rad(20.0) and _bent(pipeline) < np.deg2rad(7.0)
+    # the oblique axes of a thumb, 5° about each axis, remain
+    assert before > np.deg2rad(20.0) and _bent(pipeline) < np.deg2rad(9.0)
     again = pipeline.feed_imu(replace(samples[-1], t=RESET, t_arrival=RESET))
     root, finger = (hand.index[name] for name in ("dorsum", "index_proximal"))
     apart = so3.log(again.segment_R[root].T @ again.segment_R[finger])

@@ -100,12 +100,12 @@ def test_two_cameras_measure_the_size(hand, glove) -> None:
 
 
 def test_a_ruler_measurement_during_tracking_corrects_the_distance(hand, glove) -> None:
-    """A tenth smaller than the file's, its distance was wrong; with a fixed distance it remained 11
-    mm off."""
+    """An eighth smaller than the file's, it was 43 mm off. Its girth is 6 % larger than its length
+    suggests, which one lens mistakes for distance: it remains 10 mm off."""
     sim = simulation(hand, glove, 21, 9.0)
     ruler = measured_profile(ChainLayout(hand, glove), sim.wearer.hand_length)
     _, shown, errors = one_camera(sim, ruler, 4.0)
     t = np.array([e.t for e in shown])
     late, before = (t > 4.5), (t > 2.0) & (t < 4.0)
-    assert np.mean(np.array(errors)[before]) > 0.015
-    assert np.nanmean(np.array(errors)[late]) < 0.009
+    assert np.mean(np.array(errors)[before]) > 0.03
+    assert np.nanmean(np.array(errors)[late]) < 0.012

@@ -92,7 +92,13 @@ class DistalSegments:
         value = [
             (hand.synergies[d.link].ratio, hand.synergies[d.link].offset, 0.0) for d in self.digits
         ]
-        return Synergies(np.array(value).reshape(-1, OWN), np.diag(self._prior_sd.ravel() ** 2))
+        P = np.diag(self._prior_sd.ravel() ** 2)
+        for k, middle in enumerate(self._middle):  # a line is uncertain by its ratio beside it
+            row = OWN * k
+            ratio = P[row + RATIO, row + RATIO]
+            P[row + OFFSET, row + OFFSET] += middle**2 * ratio
+            P[row + RATIO, row + OFFSET] = P[row + OFFSET, row + RATIO] = -middle * ratio
+        return Synergies(np.array(value).reshape(-1, OWN), P)
 
     @cached_property
     def _prior_sd(self) -> Array:
@@ -102,6 +108,13 @@ class DistalSegments:
         thumb = (p.thumb_ratio, np.deg2rad(p.thumb_offset_deg), np.deg2rad(p.thumb_aside_deg))
         rows = [thumb if d.name == "thumb" else finger for d in self.digits]
         return np.array(rows).reshape(-1, OWN)
+
+    @cached_property
+    def _middle(self) -> Array:
+        """(d,) rad."""
+        p = self._params
+        degrees = [p.thumb_middle_deg if d.name == "thumb" else p.middle_deg for d in self.digits]
+        return np.deg2rad(np.array(degrees, float))
 
     @cached_property
     def posture_sd(self) -> Array:

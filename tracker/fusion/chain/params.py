@@ -137,14 +137,17 @@ class BundleParams:
 class SynergyParams:
     """Standard deviations of the population, except ``posture``; angles in degrees.
 
-    ``posture`` is the individual variation of a distal joint from posture to posture.
+    ``posture`` is the individual variation of a distal joint from posture to posture. ``ratio`` is
+    that of a line through ``middle``, the flexion of the joint before at which people agree best.
     """
 
-    ratio: float = 0.15
+    ratio: float = 0.35
+    middle_deg: float = 40.0
     offset_deg: float = 5.0
     aside_deg: float = 3.0
-    posture_deg: float = 11.0
+    posture_deg: float = 12.5
     thumb_ratio: float = 0.40
+    thumb_middle_deg: float = 0.0
     thumb_offset_deg: float = 9.0
     thumb_aside_deg: float = 5.0
     thumb_posture_deg: float = 15.0

@@ -13,20 +13,28 @@ from tracker.fusion.output.completion import ActiveSegments, Completion, HandTab
 from tracker.fusion.segments import EstimatedSegments
 from tracker.geometry.kernels import quats, rotate_back
 from tracker.kernels import kernel
-from tracker.kernels.arrays import BoolVector, IntVector, Matrix, Stack, Vector
+from tracker.kernels.arrays import BoolVector, IntMatrix, IntVector, Matrix, Stack, Vector
 from tracker.messages import Array, Estimate, IntArray, Tracking, Validity
 
 INFERRED_DEG = {
     "thumb_metacarpal": 20.0,
     "thumb_distal": 24.0,
-    "proximal": 20.0,
-    "intermediate": 22.0,
-    "distal": 22.0,
+    "little_proximal": 23.0,
+    "little_intermediate": 19.0,
+    "proximal": 19.0,
+    "intermediate": 16.0,
+    "distal": 17.0,
 }
 """Standard deviation of an unsensed joint about its synergy, flexion and abduction together: of a
-segment, else of a finger's segments of that kind."""
+segment, else of a finger's segments of that kind. Little and ring finger follow the middle finger
+less than their neighbours."""
 BASE_SD = 0.0022  # m per axis, of an unsensed knuckle
-REACH = 0.85  # of a bent finger, relative to the length of its bones
+STRAIGHT_DEG, BENT_DEG = 40.0, 75.0
+"""A finger next to one that is bent less than the first (MCP and PIP joint together) may be closed:
+people point with two fingers. One next to a finger that is bent more than the second is bent."""
+CLOSED_SHARE = 0.27
+"""Standard deviation of a point on a finger that may be closed, relative to its distance from the
+farthest position that its joints allow."""
 WITHIN_LIMITS = tuple(product(np.linspace(0.0, 1.0, 5), repeat=2))
 """Possible postures of a digit without sensors, independent of its neighbours: relative to their
 ranges, the flexion of its first joint, and of its other joints together."""
@@ -36,18 +44,20 @@ LOST, INFERRED, MEASURED = int(Validity.LOST), int(Validity.INFERRED), int(Valid
 
 class Keypoints(NamedTuple):
     """K keypoints of a hand with S segments: segment (K,) the row each moves with, offset (K, 3) m
-    in its nominal B, end_of (K,) the segment whose far end it is, -1 for none; ancestor (K,) the
-    row of the nearest segment whose end's standard deviation is given, beyond (K,) the variance
-    (m², per axis) added to that one's; base (K,) the first segment of the keypoint's digit if that
-    has no sensors, else -1, and reached (K, C, 3) m its position for each of `WITHIN_LIMITS`, from
-    that digit's joint in the nominal B of the digit's parent."""
+    in its nominal B, end_of (K,) the segment whose far end it is, -1 for none; sd_row (S,) the row
+    of a segment whose end's standard deviation is given, -1 for the others, which have bend_sd (S,)
+    rad relative to their parents; base (K,) the first segment of the keypoint's digit if that has
+    no sensors, else -1, bends (K, 2) the flexions of that digit's first two joints among the
+    angles, -1 for none, and reached (K, C, 3) m its position for each of `WITHIN_LIMITS`, from that
+    digit's joint in the nominal B of the digit's parent."""
 
     segment: IntVector
     offset: Matrix
     end_of: IntVector
-    ancestor: IntVector
-    beyond: Vector
+    sd_row: IntVector
+    bend_sd: Vector
     base: IntVector
+    bends: IntMatrix
     reached: Stack
 
 
@@ -89,7 +99,8 @@ class HandOutput:
             moves_with,
             offsets,
             end_of,
-            *self._ancestors(moves_with, end_of),
+            np.array([self._sd_row.get(s, -1) for s in range(len(hand.segments))], np.int64),
+            np.deg2rad([0.0, *(_inferred_deg(s.name) for s in hand.segments[1:])]),
             *self._unsensed_digits(moves_with, offsets),
         )
         columns, parent = np.array(hand.axis_columns), np.array(hand.parent, np.int64)
@@ -128,26 +139,11 @@ class HandOutput:
                 out[k] = hand.parent[s]
         return out
 
-    def _ancestors(self, moves_with: IntArray, end_of: IntArray) -> tuple[IntArray, Array]:
-        """Per keypoint: row in ``active_sd`` of the nearest segment there, and the variance added
-        to that one's end (m², eq. 55)."""
-        hand, row_of = self._segments.hand, self._sd_row
-        row, beyond = np.zeros(len(end_of), np.int64), np.zeros(len(end_of))
-        for k, s in enumerate(moves_with):
-            reach, a = 0.0, int(end_of[k] if end_of[k] >= 0 else s)
-            if a == 0 and s not in row_of:
-                beyond[k] = BASE_SD**2
-            while a not in row_of:
-                beyond[k] += BASE_SD**2 if hand.parent[a] == 0 else 0.0
-                reach += REACH * hand.segments[a].length
-                beyond[k] += (reach * np.deg2rad(_inferred_deg(hand.segments[a].name))) ** 2 / 3
-                a = hand.parent[a]
-            row[k] = row_of[a]
-        return row, beyond
-
-    def _unsensed_digits(self, moves_with: IntArray, offset: Array) -> tuple[IntArray, Array]:
-        """Per keypoint: the first segment of its digit if that has no sensors, else -1, and its
-        position for each of `WITHIN_LIMITS`."""
+    def _unsensed_digits(
+        self, moves_with: IntArray, offset: Array
+    ) -> tuple[IntArray, IntArray, Array]:
+        """Per keypoint: the first segment of its digit if that has no sensors, else -1, the
+        flexions of that digit, and the keypoint's position for each of `WITHIN_LIMITS`."""
         hand, row_of = self._segments.hand, self._segments.row_of
         base = np.full(len(moves_with), -1, np.int64)
         for k, s in enumerate(moves_with):
@@ -156,18 +152,22 @@ class HandOutput:
                 first = hand.parent[first]
             if first not in row_of and hand.parent[first] == hand.root:
                 base[k] = first
+        bends = np.full((len(moves_with), 2), -1, np.int64)
+        flexion = np.array(hand.axis_columns)[:, FLEXION]
+        for k in np.flatnonzero(base >= 0):
+            second = [s for s, a in enumerate(hand.parent) if a == base[k]]
+            bends[k] = flexion[base[k]], flexion[second[0]] if second else -1
         reached = np.zeros((len(moves_with), len(WITHIN_LIMITS), 3))
         low, high = hand.angle_limits.T
-        columns = np.array(hand.axis_columns)[:, FLEXION]
-        bends, first = columns >= 0, np.array(hand.parent) == hand.root
+        moves, first = flexion >= 0, np.array(hand.parent) == hand.root
         for c, (near, far) in enumerate(WITHIN_LIMITS):
-            angles, share = np.zeros(len(low)), np.where(first, near, far)[bends]
-            column = columns[bends]
+            angles, share = np.zeros(len(low)), np.where(first, near, far)[moves]
+            column = flexion[moves]
             angles[column] = low[column] + share * (high - low)[column]
             R, p = hand.forward(angles, np.eye(3), np.zeros(3))
             points = p[moves_with] + np.einsum("kij,kj->ki", R[moves_with], offset)
             reached[:, c] = np.where(base[:, None] >= 0, points - p[base], 0.0)
-        return base, reached
+        return base, bends, reached
 
     def _nothing(self, t: float) -> Estimate:
         hand, k = self._segments.hand, self._keypoint_count
@@ -212,7 +212,8 @@ def whole_hand(
     of_segment = segment_states(hand.row, sensed)
     state = keypoint_states(of_segment, keypoints, coasting)
     away = farthest(keypoints, hand.parent, points, R, p, scale)
-    sd = keypoint_sds(keypoints, active_sd, away)
+    open_sd = CLOSED_SHARE * away * may_be_closed(keypoints, angles)
+    sd = keypoint_sds(keypoints, hand.parent, active_sd, points, p, open_sd)
     if lost:
         state[:], points[:], q[:] = LOST, np.nan, np.nan
     return points, q, state, sd, angles, angle_states(of_segment, angles_of, known), R, p
@@ -318,11 +319,47 @@ def farthest(
 
 
 @kernel
-def keypoint_sds(keypoints: Keypoints, active_sd: Vector, away: Vector) -> Vector:
-    """(K,) m: from the sd (A + d,) of the nearest ancestor that has one, the variance added to it
-    (docs/chain.md, eq. 55), and a third of the maximum deviation ``away`` (K,) m (eq. 62)."""
-    ancestor, beyond = keypoints.ancestor, keypoints.beyond
-    out = np.empty(len(ancestor))
-    for k in range(len(ancestor)):
-        out[k] = np.sqrt(active_sd[ancestor[k]] ** 2 + beyond[k] + (away[k] / 3.0) ** 2)
+def may_be_closed(keypoints: Keypoints, angles: Vector) -> Vector:
+    """(K,) 1 for points on a digit without sensors that is straight like its neighbours, 0 on a
+    bent one and on other digits, from the ``angles`` (J,) rad."""
+    out = np.zeros(len(keypoints.base))
+    straight, bent = np.deg2rad(STRAIGHT_DEG), np.deg2rad(BENT_DEG)
+    for k in range(len(out)):
+        if keypoints.base[k] < 0:
+            continue
+        total = 0.0
+        for column in keypoints.bends[k]:
+            if column >= 0:
+                total += angles[column]
+        out[k] = min(max((bent - total) / (bent - straight), 0.0), 1.0)
+    return out
+
+
+@kernel
+def keypoint_sds(
+    keypoints: Keypoints,
+    parent: IntVector,
+    active_sd: Vector,
+    points: Matrix,
+    p: Matrix,
+    open_sd: Vector,
+) -> Vector:
+    """(K,) m: from the sd (A + d,) of the nearest ancestor that has one, the joints between them,
+    with the ``points`` (K, 3) and the segments' origins p (S, 3) m (docs/chain.md, eq. 55), and
+    ``open_sd`` (K,) m of straight digits without sensors (eq. 62)."""
+    out = np.empty(len(points))
+    for k in range(len(points)):
+        a = keypoints.end_of[k] if keypoints.end_of[k] >= 0 else keypoints.segment[k]
+        variance = open_sd[k] ** 2
+        if a == 0 and keypoints.sd_row[keypoints.segment[k]] < 0:
+            variance += BASE_SD**2
+        while keypoints.sd_row[a] < 0:
+            if parent[a] == 0:
+                variance += BASE_SD**2
+            lever2 = 0.0
+            for i in range(3):
+                lever2 += (points[k, i] - p[a, i]) ** 2
+            variance += lever2 * keypoints.bend_sd[a] ** 2 / 3.0
+            a = parent[a]
+        out[k] = np.sqrt(active_sd[keypoints.sd_row[a]] ** 2 + variance)
     return out
