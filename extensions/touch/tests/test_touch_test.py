@@ -62,9 +62,10 @@ def results(sessions: list[Path]) -> list[TouchResult]:
 
 
 def test_bias_and_spread_agree_with_the_known_errors(tracked, results) -> None:
-    """Bias of each finger within 1 mm and of all within 0.5 mm on average; pooled sd within 15 %.
+    """Bias of each finger within 2.5 mm and of all within 0.8 mm on average; pooled sd within 15 %.
 
-    A wearer's pulp differs by 0.4 mm per axis and misses crosses by 0.6 mm per axis and touch.
+    A wearer's pulp differs by 0.4 mm per axis and misses crosses by 0.6 mm per axis and touch. The
+    radius of a fingertip, 7 to 10 mm, differs by 9 % from what its length suggests.
     """
     off, found, true = [], [], []
     for tracker, result in zip(tracked, results, strict=True):
@@ -74,7 +75,7 @@ def test_bias_and_spread_agree_with_the_known_errors(tracked, results) -> None:
             found.append(f.sd.value**2)
             true.append(tracker.true_variance(f.finger))
     lengths = np.linalg.norm(off, axis=1)
-    assert lengths.max() < 1.5e-3 and np.abs(np.mean(off, axis=0)).max() < 0.5e-3
+    assert lengths.max() < 2.5e-3 and np.abs(np.mean(off, axis=0)).max() < 0.8e-3
     assert np.sqrt(np.mean(found) / np.mean(true)) == pytest.approx(1.0, abs=0.15)
 
 
