@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields, replace
-from typing import NamedTuple
+from dataclasses import dataclass, fields
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -46,9 +46,13 @@ class WearerParams:
     @classmethod
     def none(cls) -> WearerParams:
         """People who match the files exactly."""
-        times = {"synergy_time": cls.synergy_time, "slip_time": cls.slip_time}
-        zeros = {f.name: 0.0 for f in fields(cls) if isinstance(f.default, float)} | times
-        return replace(cls(finger_end=AS_IN_FILE, thumb_end=AS_IN_FILE), **zeros)
+        kept: dict[str, Any] = {
+            "finger_end": AS_IN_FILE,
+            "thumb_end": AS_IN_FILE,
+            "synergy_time": cls.synergy_time,
+            "slip_time": cls.slip_time,
+        }
+        return cls(**dict.fromkeys((f.name for f in fields(cls)), 0.0) | kept)
 
 
 class TrueHand(NamedTuple):

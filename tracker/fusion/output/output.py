@@ -154,9 +154,9 @@ class HandOutput:
                 base[k] = first
         bends = np.full((len(moves_with), 2), -1, np.int64)
         flexion = np.array(hand.axis_columns)[:, FLEXION]
-        for k in np.flatnonzero(base >= 0):
-            second = [s for s, a in enumerate(hand.parent) if a == base[k]]
-            bends[k] = flexion[base[k]], flexion[second[0]] if second else -1
+        for row in np.flatnonzero(base >= 0):
+            second = np.flatnonzero(np.array(hand.parent) == base[row])
+            bends[row] = flexion[base[row]], flexion[second[0]] if len(second) else -1
         reached = np.zeros((len(moves_with), len(WITHIN_LIMITS), 3))
         low, high = hand.angle_limits.T
         moves, first = flexion >= 0, np.array(hand.parent) == hand.root
