@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tracker.base.errors import ConfigError, DeviceError
+from tracker.base.notices import notice
 from tracker.glove import library
 from tracker.glove.files import parse_glove
 from tracker.hand.files import parse_hand
@@ -57,9 +58,10 @@ def glove_devices(port: str = "", glove: str = library.DEFAULT_GLOVE, hand: str 
     reports = find_gloves([port] if port else None, FIND_GLOVE)
     there = next((report for report in reports if report.is_glove), None)
     if there is None:
-        reasons = " ".join(str(report.trouble) for report in reports if report.trouble)
-        where = f"at {port}" if port else "on any USB port"
-        raise DeviceError(f"No glove found {where}. {reasons}".strip())
+        reasons = tuple(report.trouble for report in reports if report.trouble)
+        if port:
+            raise DeviceError(notice("glove.not_at_port", port=port, reasons=reasons))
+        raise DeviceError(notice("glove.not_at_usb", reasons=reasons))
     return Devices(
         (ConnectedGlove(*texts, _link(texts, there.path, there.baud)),), NoCamera(), None
     )
@@ -73,10 +75,7 @@ def with_camera(devices: Devices, camera: str | int, calibration: str | Path) ->
     from tracker.sensors.image_input import CaptureFormat, ImageInput, StreamInput
 
     if not calibration:
-        raise ConfigError(
-            "The camera needs a calibration: pass the path of its calibration file, which the "
-            "window makes under Set-up, Camera calibration."
-        )
+        raise ConfigError(notice("api.needs_calibration"))
     rig = load_rig(Path(calibration))
     count = len(rig.sides)
     want = CaptureFormat(rig.left.width, rig.left.height, CAMERA_FPS)
@@ -98,7 +97,9 @@ def simulated_devices(seed: int, fps: float, hands: str, camera: bool) -> Device
 
     sides = [side for side in ("right", "left") if hands in (side, "both")]
     if not sides:
-        raise ConfigError(f"Hands can be right, left or both, not {hands!r}.")
+        raise ConfigError(
+            notice("option.choice", option="hands", known=("right", "left", "both"), value=hands)
+        )
     texts = {side: HandTexts(*library.texts(GLOVES[side])) for side in sides}
     main, *others = texts.values()
     spec = DemoSpec(*main, seed, DURATION, fps, others=tuple(others))
@@ -111,7 +112,7 @@ def simulated_devices(seed: int, fps: float, hands: str, camera: bool) -> Device
 
     try:
         if not images.wait_ready(START_TIMEOUT):
-            raise DeviceError("The simulated camera did not start.")
+            raise DeviceError(notice("simulator.camera_not_started"))
         paths = process.paths(START_TIMEOUT)
         gloves = tuple(
             ConnectedGlove(*texts[side], _link(texts[side], paths[side])) for side in sides

@@ -24,7 +24,7 @@ from glovetrack.recorded import RecordedEvent
 from tracker.base.channels import Backlog, Closed
 from tracker.base.clock import ClockAnchor, monotonic
 from tracker.base.errors import ConfigError
-from tracker.base.notices import Notice
+from tracker.base.notices import Notice, notice
 from tracker.base.numeric_threads import one_blas_thread
 from tracker.engine.hands import Hands
 from tracker.engine.kinds import WITHOUT_CAMERA, settings_text
@@ -195,7 +195,7 @@ class LiveTracker:
         required."""
         (first, *others) = self._names
         if others and not side:
-            raise ConfigError("Two hands are tracked. Specify the side.")
+            raise ConfigError(notice("api.two_hands"))
         chosen = side or first
         message = self._tracker.hand(chosen).latest_estimate()
         return None if message is None else self._named(chosen, message)

@@ -15,6 +15,7 @@ from glovetrack.hands import Hand, ImuSamples, OnlyHand
 from glovetrack.session_file import SessionFile, Window
 from tracker.base.clock import NS
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.messages import EYES, Event, StereoFrame
 from tracker.session.export.series import EstimateSeries, recorded_series, series_of
 from tracker.session.notes import standing
@@ -90,10 +91,7 @@ class RecordedData(OnlyHand):
     def hand(self) -> Hand:
         """The only hand. Raises ConfigError for a recording of both, whose hands are in `hands`."""
         if len(self.sides) != 1:
-            raise ConfigError(
-                f"{self.path.name} is a recording of both hands. "
-                "Choose one: recording.hands['left'] or recording.hands['right']."
-            )
+            raise ConfigError(notice("api.both_recorded", file=self.path.name))
         return self.hands[self.sides[0]]
 
     # ---- sensors and events
@@ -128,7 +126,9 @@ class RecordedData(OnlyHand):
         Raises ConfigError for another camera. Yields nothing for a recording without images.
         """
         if camera not in EYES:
-            raise ConfigError(f"The camera is 'left' or 'right', not {camera!r}.")
+            raise ConfigError(
+                notice("option.choice", option="camera", known=("left", "right"), value=camera)
+            )
         with SessionReader(self.path) as reader:
             for m in reader.messages([StereoFrame], *self._file.arrivals()):
                 assert isinstance(m, StereoFrame)

@@ -13,6 +13,7 @@ import numpy as np
 
 from tracker.base.clock import NS
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.messages import Array
 from tracker.session.raw_imu import RawImu, read_raw_imu
 from tracker.session.reader import SessionReader
@@ -45,10 +46,10 @@ class SessionFile:
         if asked in self.sides:
             return asked
         if asked:
-            raise ConfigError(f"{self.path.name} is a recording of the {self.sides[0]} hand.")
+            raise ConfigError(notice("api.other_side", file=self.path.name, side=self.sides[0]))
         if len(self.sides) == 1:
             return self.sides[0]
-        raise ConfigError(f"{self.path.name} is a recording of both hands. Specify the side.")
+        raise ConfigError(notice("api.both_recorded", file=self.path.name))
 
     def of_side(self, side: str) -> SessionReader:
         """A reader of one hand."""

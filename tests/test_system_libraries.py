@@ -57,7 +57,7 @@ def machine(tmp_path: Path) -> Machine:
     return Machine(tmp_path)
 
 
-def test_a_user_is_told_the_line_to_run_and_cannot_go_on(machine: Machine) -> None:
+def test_without_rights_the_command_to_run_is_printed_and_the_check_fails(machine: Machine) -> None:
     done = machine.run(ESSENTIAL[1:], 1000)
     assert done.returncode == 1
     line = done.stderr.splitlines()[-1].split()

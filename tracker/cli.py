@@ -16,15 +16,11 @@ from tracker.base.damage import gather, reports
 from tracker.base.errors import ConfigError, GlovetrackError
 from tracker.base.files import disk_error
 from tracker.base.logs import add_log_options, logging_to
+from tracker.base.notices import notice
 from tracker.base.terminal import printable, printing, stopped_by_signals
 
 BEFORE_COMMANDS = ("--help", "--version")
 """Options without a command; any other belongs to the window."""
-
-NOT_INSTALLED = (
-    "No commands are registered, because the installation is incomplete or older than the program. "
-    "Install Glovetrack again."
-)
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -32,7 +28,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     words = with_window(sys.argv[1:] if argv is None else argv)
     try:
         if not COMMANDS.names():
-            raise ConfigError(NOT_INSTALLED)
+            raise ConfigError(notice("command.none"))
         args = build_parser(words).parse_args(words)
         with logging_to(args.log_level, args.log_file):
             return _run(args.command, args)

@@ -441,7 +441,7 @@ class RobotState(_Frozen):
 
     command (n,) rad of the joints, joints (n,) rad their positions; palm (7,) and objects
     (m, 7) m and xyzw in the robot's world W (z up); force (5,) N on each fingertip, thumb first.
-    ``holding``: it stands still, because the hand is lost. ``t_told`` s: when the command left for
+    ``holding``: it stands still, because the hand is lost. ``t_sent`` s: when the command left for
     the robot; NaN of one that a recording drives.
     """
 
@@ -454,7 +454,7 @@ class RobotState(_Frozen):
     force: Array
     engaged: bool
     holding: bool
-    t_told: float = math.nan
+    t_sent: float = math.nan
 
 
 @dataclass(frozen=True, eq=False, slots=True)

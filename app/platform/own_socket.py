@@ -28,6 +28,7 @@ import platformdirs
 
 from tracker.base.errors import GlovetrackError
 from tracker.base.files import disk_error
+from tracker.base.notices import notice
 
 WINDOWS = sys.platform == "win32"
 LONGEST_PATH = 100  # bytes; Linux takes 107, macOS 103
@@ -60,17 +61,12 @@ def check_peer(descriptor: int, address: str) -> None:
     """Raises ForeignSocket unless the process at the other end of a socket is this user's."""
     if WINDOWS:
         if not is_own_pipe(descriptor):
-            raise ForeignSocket(
-                f"The program at the other end of {address} does not belong to you. End it, or ask "
-                f"your administrator to, then start again."
-            )
+            raise ForeignSocket(notice("window.foreign_pipe", address=address))
         return
     uid = _peer_uid(descriptor)
     if uid != os.getuid():
-        whose = "an unknown user" if uid is None else f"another user (id {uid})"
         raise ForeignSocket(
-            f"The program that listens at {address} belongs to {whose}, not to you. Remove that "
-            f"file, or set XDG_RUNTIME_DIR to a folder of your own, then start again."
+            notice("window.foreign_socket", address=address, uid="?" if uid is None else uid)
         )
 
 
@@ -116,11 +112,7 @@ def _made_private(folder: Path) -> Path:
     except OSError as error:
         raise disk_error(folder, error) from error
     if not _is_private(folder):
-        raise ForeignSocket(
-            f"{folder}, the folder for the window's socket, must be a folder of your own that no "
-            f"other user can enter (mode 0700). Remove it, or set XDG_RUNTIME_DIR to a folder of "
-            f"your own, then start again."
-        )
+        raise ForeignSocket(notice("window.socket_folder", folder=folder))
     return folder
 
 
@@ -150,7 +142,7 @@ def _pipe_secret() -> str:
             part.replace(path)
         return path.read_text("ascii").strip()
     except (OSError, UnicodeError) as error:
-        raise GlovetrackError(f"{path} cannot be used: {error}.") from error
+        raise GlovetrackError(notice("window.file_not_usable", path=path, why=error)) from error
 
 
 def is_own_pipe(handle: int) -> bool:

@@ -25,13 +25,13 @@ from PySide6.QtNetwork import QLocalServer, QLocalSocket
 
 from app.platform.own_socket import ForeignSocket, addresses, check_peer
 from tracker.base.errors import GlovetrackError
+from tracker.base.notices import notice
 from tracker.streaming.remote.request import is_reply
 
 WAIT_MS = 2000
 ASK_MS = 10_000  # a window that is opening devices does not respond for seconds
 MOST_BYTES = 65536
 ANSWER = b"taken\n"
-NOT_A_WINDOW = "The program that answered is not a Glovetrack window."
 
 _log = logging.getLogger(__name__)
 
@@ -53,7 +53,7 @@ def hand_over(session: Path | None, at: float | None = None, name: str | None = 
         request["at"] = at
     answer = _converse(request, name, WAIT_MS)
     if answer not in (b"", ANSWER):
-        raise GlovetrackError(f"{NOT_A_WINDOW} Close it, then start Glovetrack again.")
+        raise GlovetrackError(notice("window.other_program"))
     return answer == ANSWER
 
 
@@ -66,7 +66,7 @@ def ask(words: dict[str, Any], name: str | None = None) -> str | None:
     if not answer:
         return None
     if not is_reply(answer):
-        raise GlovetrackError(NOT_A_WINDOW)
+        raise GlovetrackError(notice("window.other_program"))
     return answer.decode("utf-8").strip()
 
 

@@ -21,6 +21,7 @@ import platformdirs
 from app.words import tr
 from tracker.base.config import UNKNOWN, from_dict
 from tracker.base.files import free_path, write_with_folder
+from tracker.base.notices import Notice
 
 VERSION = 4
 _log = logging.getLogger(__name__)
@@ -176,7 +177,7 @@ def migrated(data: dict[str, Any], version: int) -> dict[str, Any]:
 def _settings_from(data: dict[str, Any]) -> AppSettings:
     """Settings from JSON. Unknown keys are dropped; wrong types raise ValueError."""
 
-    def complain(key: str, why: str) -> None:
+    def complain(key: str, why: Notice) -> None:
         if why != UNKNOWN:
             raise ValueError(f"{key} {why}")
 

@@ -6,15 +6,15 @@ import argparse
 import json
 from typing import Any
 
-from app.platform.single_instance import NOT_A_WINDOW, ask
+from app.platform.single_instance import ask
 from tracker.base.errors import GlovetrackError
+from tracker.base.notices import notice
 from tracker.base.terminal import add_json, check_json, finish
 from tracker.hand.names import CHAINS
 from tracker.streaming.remote.client import UDP_PORT
 from tracker.streaming.remote.client import ask as ask_over_udp
 from tracker.streaming.remote.request import USUAL_AMPLITUDE, USUAL_MS, is_reply
 
-NO_WINDOW = "No window is open. Open one with `glovetrack`."
 _NOT_SENT = ("json", "force", "to", "command", "parser", "log_level", "log_file")
 
 
@@ -33,9 +33,9 @@ def _send(request: dict[str, Any], to: tuple[str, int] | None) -> dict[str, Any]
     """Return the window's answer. Raises GlovetrackError if there is none."""
     reply = ask_over_udp(request, *to) if to is not None else ask(request)
     if reply is None:
-        raise GlovetrackError(NO_WINDOW)
+        raise GlovetrackError(notice("window.none"))
     if not is_reply(reply):
-        raise GlovetrackError(NOT_A_WINDOW)
+        raise GlovetrackError(notice("window.other_program"))
     answer: dict[str, Any] = json.loads(reply)
     return answer
 

@@ -28,6 +28,7 @@ from resources import folder
 from tracker import __version__
 from tracker.base.command import UsageError
 from tracker.base.errors import ConfigError, GlovetrackError
+from tracker.base.notices import notice
 from tracker.base.toml_reader import read_text
 from tracker.streaming.connection import ConnectionSettings
 from tracker.streaming.registry import StreamSettings, with_streams
@@ -56,7 +57,7 @@ def open_window(options: WindowOptions, then: Then | None = None) -> int:
     try:
         _check(options)
     except GlovetrackError as error:
-        raise UsageError(str(error)) from error
+        raise UsageError(error.notice) from error
     if not has_screen():
         if options.headless_report is None:
             print(NO_SCREEN, file=sys.stderr)
@@ -81,15 +82,15 @@ def _check(options: WindowOptions) -> None:
     if options.wearer is not None:
         read_text(options.wearer)
     if options.at is not None and options.session is None:
-        raise ConfigError("--at requires a session.")
+        raise ConfigError(notice("option.requires", option="--at", needed="SESSION"))
     if options.at is not None and not 0.0 <= options.at < float("inf"):
-        raise ConfigError("--at requires a number of seconds, 0 or greater.")
+        raise ConfigError(notice("option.least", option="--at", least="0 s"))
     if options.headless_report is None:
         return
     if options.session is not None:
-        raise ConfigError("--headless-report cannot be used with a session.")
+        raise ConfigError(notice("option.exclusive", options=("--headless-report", "SESSION")))
     if not 0.0 < options.headless_report < float("inf"):
-        raise ConfigError("--headless-report requires a number of seconds greater than 0.")
+        raise ConfigError(notice("option.positive", option="--headless-report"))
 
 
 def _streams(options: WindowOptions) -> StreamSettings:

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.base.terminal import add_json, check_json, finish
 
 if TYPE_CHECKING:
@@ -124,9 +125,7 @@ def _page(args: argparse.Namespace, stack: ExitStack) -> Callable[[str, Outcome]
     try:
         from extensions.applications.page import PacedPage
     except ImportError as error:
-        raise ConfigError(
-            '--page requires more packages: pip install "glovetrack[streams]".'
-        ) from error
+        raise ConfigError(notice("option.packages", option="--page", extra="streams")) from error
     page = PacedPage(args.page, paced=not args.live)
     stack.callback(page.close)
     print(f"The page is at {page.url}", flush=True)
@@ -137,7 +136,7 @@ def _check(args: argparse.Namespace, files: list[Path]) -> int:
     from extensions.applications.session_run import replay
 
     if args.source is None:
-        raise ConfigError("--check requires a session with a recorded application.")
+        raise ConfigError(notice("option.requires", option="--check", needed="SESSION"))
     reports = [r for r in replay(args.source) if args.name in (r.application, "all")]
     lines = [line for report in reports for line in report.lines()]
     same = not any(report.differs for report in reports)
@@ -152,7 +151,7 @@ def _source(args: argparse.Namespace, stack: ExitStack) -> Any:
 
     asked = [args.source is not None, args.simulate is not None, bool(args.live)]
     if sum(asked) != 1:
-        raise ConfigError("Specify exactly one of SESSION, --simulate and --live.")
+        raise ConfigError(notice("option.exactly_one", options=("SESSION", "--simulate", "--live")))
     if args.source is not None:
         return stack.enter_context(recorded(args.source, args.hand))
     if args.live:
@@ -172,7 +171,7 @@ def simulate_vehicles(args: argparse.Namespace) -> int:
     from extensions.applications.swarm.simulated_vehicles import VehicleSimulator
 
     if not 1 <= args.count <= MOST_VEHICLES:
-        raise ConfigError(f"--count must be between 1 and {MOST_VEHICLES}, not {args.count}.")
+        raise ConfigError(notice("option.range", option="--count", low=1, high=MOST_VEHICLES))
     simulator = VehicleSimulator(args.count, args.port)
     print(f"{args.count} vehicles listen for MAVLink on 127.0.0.1:{simulator.port}.", flush=True)
     simulator.wait(args.seconds)
@@ -184,7 +183,7 @@ def simulate_vehicles(args: argparse.Namespace) -> int:
 def _setting(text: str) -> tuple[str, Any]:
     key, equals, value = text.partition("=")
     if not equals:
-        raise ConfigError(f"A setting is KEY=VALUE, not {text!r}.")
+        raise ConfigError(notice("applications.setting", text=text))
     try:
         return key, json.loads(value)
     except ValueError:

@@ -13,4 +13,10 @@ TEXTS = {
     "mesh.not_stl": "{name} is not an STL file: {why}.",
     "mesh.too_few": "{name} does not contain a mesh: a closed one has at least four triangles.",
     "mesh.bad_points": "{name} refers to points that it does not have, or that are not finite.",
+    "applications.setting": 'A setting is KEY=VALUE, not "{text}".',
+    "applications.none_recorded": "{path} contains no application.",
+    "applications.address": 'A live stream is udp, udp:PORT or ws://HOST:PORT, not "{address}".',
+    "applications.no_hand": "No hand was received at {where} within {wait_s:.0f} s.",
+    "applications.no_side": "{path} contains no {side:word} hand.",
+    "applications.no_server": "No program responds at {address}: {why}.",
 }

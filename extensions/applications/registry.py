@@ -13,7 +13,7 @@ from extensions.applications.extension import ApplicationKind
 from extensions.applications.interface import Application
 from tracker.base.config import from_dict
 from tracker.base.errors import ConfigError
-from tracker.base.notices import notice
+from tracker.base.notices import Notice, notice
 from tracker.base.registry import Registry
 
 Maker = Callable[[Any], Application]
@@ -69,8 +69,8 @@ def make(name: str, settings: Mapping[str, Any] | None = None) -> Application:
 def settings_of(known: type[Any], values: Mapping[str, Any], name: str) -> Any:
     """Settings of type ``known`` with ``values``. Raises ConfigError."""
 
-    def complain(path: str, why: str) -> None:
-        raise ConfigError(f"{name}: {path} {why}.")
+    def complain(path: str, why: Notice) -> None:
+        raise ConfigError(notice("config.key", file=name, key=path, why=why))
 
     return from_dict(known, dict(values), complain)
 

@@ -73,7 +73,7 @@ class ApplicationRunner:
             try:
                 prepare(settings)
             except GlovetrackError as error:
-                raise ConfigError(str(error)) from error
+                raise ConfigError(error.notice) from error
         self._settings[key] = value
         self._changes.append((key, value))
 

@@ -17,6 +17,7 @@ from extensions.applications.stage import CommandSink
 from tracker.base.clock import monotonic
 from tracker.base.errors import FileError
 from tracker.base.files import check_target
+from tracker.base.notices import notice
 from tracker.messages import Estimate, Event
 from tracker.session.images import PackedFrame
 from tracker.session.writer import SessionRecorder, new_session
@@ -153,7 +154,7 @@ def replay(path: Path) -> list[ApplicationReport]:
         begun = [i for i, e in enumerate(events) if e.data["what"] == BEGINS]
         runs += [events[i:j] for i, j in zip(begun, [*begun[1:], len(events)], strict=True)]
     if not runs:
-        raise FileError(f"{path} holds no application.")
+        raise FileError(notice("applications.none_recorded", path=path))
     return [_again(path, run) for run in runs]
 
 

@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from tracker.base.clock import ClockAnchor
 from tracker.base.errors import ConfigError, FileError
+from tracker.base.notices import notice
 from tracker.engine.pipeline import Pipeline
 from tracker.glove import library
 from tracker.messages import Estimate, ImuSample, Message
@@ -39,7 +40,7 @@ def recorded(path: Path, side: str = "") -> Iterator[HandSource]:
     default is the main hand. Raises FileError if the session does not contain that hand."""
     with SessionReader(path, side=side if sides_of(path) else "") as reader:
         if side and reader.info.side != side:
-            raise FileError(f"{path} has no {side} hand.")
+            raise FileError(notice("applications.no_side", path=path, side=side))
         yield HandSource(reader.info, reader.packed_messages())
 
 
@@ -89,7 +90,7 @@ def streamed(address: str, glove_name: str = "") -> HandSource:
 def _udp(address: str) -> Iterator[bytes]:
     kind, _, port = address.partition(":")
     if kind != "udp" or (port and not port.isdecimal()):
-        raise ConfigError(f"A live stream is udp, udp:PORT or ws://HOST:PORT, not {address!r}.")
+        raise ConfigError(notice("applications.address", address=address))
     return _datagrams(int(port or DEFAULT_PORT))
 
 
@@ -109,7 +110,7 @@ def _datagrams(port: int) -> Iterator[bytes]:
 def _need_some(timeout: float, where: str, error: Exception) -> None:
     """Raises StreamError if a stream ends before its first estimate."""
     if timeout == PATIENCE:
-        raise StreamError(f"No hand has come to {where} in {PATIENCE:.0f} s.") from error
+        raise StreamError(notice("applications.no_hand", where=where, wait_s=PATIENCE)) from error
 
 
 def _websocket(address: str) -> Iterator[str | bytes]:
@@ -117,11 +118,11 @@ def _websocket(address: str) -> Iterator[str | bytes]:
         from websockets.exceptions import ConnectionClosed
         from websockets.sync.client import connect
     except ImportError as error:
-        raise ConfigError('A WebSocket needs: pip install "glovetrack[streams]".') from error
+        raise ConfigError(notice("option.packages", option="ws://", extra="streams")) from error
     try:
         connection = connect(address)
     except OSError as error:
-        raise ConfigError(f"Nothing answers at {address}: {error}") from error
+        raise ConfigError(notice("applications.no_server", address=address, why=error)) from error
     with connection:
         timeout = PATIENCE
         try:

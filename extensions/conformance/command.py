@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tracker.base.command import Command
+from tracker.base.notices import notice
 from tracker.base.terminal import add_json
 
 if TYPE_CHECKING:
@@ -55,7 +56,7 @@ def check_conformance(args: argparse.Namespace) -> int:
     from tracker.base.terminal import check_json, finish
 
     if args.simulate == (args.file is not None):
-        raise ConfigError("Specify either a session or record, or --simulate.")
+        raise ConfigError(notice("option.exactly_one", options=("SESSION", "--simulate")))
     sides = {"": (), "both": ("left", "right")}.get(args.hands, (args.hands,))
     inputs = [args.file] if args.file else []
     check_json(args, inputs)

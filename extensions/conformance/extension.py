@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from tracker.base.notices import notice
 from tracker.session.export.formats import ExportFormat, Writer
 from tracker.streaming.connection import StreamError, option
 from tracker.streaming.publisher import Names, Publisher
@@ -22,7 +23,7 @@ def _make(options: IsaacOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
     from extensions.conformance.stream import IsaacPublisher
 
     if not options.file:
-        raise StreamError("Specify a file for the Isaac record: isaac:take.mcap.")
+        raise StreamError(notice("isaac.no_file"))
     first, *others = (names.with_openxr() for names in hands)
     record = IsaacPublisher(first, Path(options.file), tips=options.tips)
     yield record

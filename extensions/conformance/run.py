@@ -30,6 +30,7 @@ from extensions.conformance.take import (
 )
 from tracker.base.clock import NS
 from tracker.base.errors import ConfigError, FileError
+from tracker.base.notices import notice
 from tracker.hand.names import SIDES
 from tracker.messages import CameraPose, Event, Message
 from tracker.offline.options import TrackOptions
@@ -67,7 +68,7 @@ class Verdict:
 def judge(name: str, takes: Sequence[RecordTake], steps: Sequence[ScriptStep]) -> Verdict:
     """Apply all rules to all hands. Raises FileError without records."""
     if not takes or not any(len(take) for take in takes):
-        raise FileError(f"{name} contains no hand records.")
+        raise FileError(notice("conformance.no_records", name=name))
     findings: list[Finding] = []
     with np.errstate(invalid="ignore", divide="ignore"):
         for take in takes:
@@ -96,7 +97,7 @@ def read_take(path: Path, sides: Sequence[str] = ()) -> tuple[list[RecordTake], 
     takes = [take_of(side, found) for side, found in records.items() if found]
     missing = [s for s in sides if s not in {take.side for take in takes}]
     if missing:
-        raise FileError(f"{path} contains no {' or '.join(missing)} hand.")
+        raise FileError(notice("conformance.no_hand", path=path, sides=missing))
     return [take for take in takes if not sides or take.side in sides], steps
 
 
@@ -148,7 +149,7 @@ def simulated(
     options = SimulateOptions(glove=glove or GLOVES[side], seed=seed, images=False)
     _, info = build(options)
     if info.side != side:
-        raise ConfigError(f"The glove {options.glove} is for the {info.side} hand.")
+        raise ConfigError(notice("conformance.glove_side", glove=options.glove, side=info.side))
     stand = default_pose()
     camera = CameraPose(stand.R_GC, stand.p_GC + np.array([0.0, 0.0, TABLE]))
     shown, labels = cues(side)

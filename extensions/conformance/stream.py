@@ -14,6 +14,7 @@ from pathlib import Path
 
 from extensions.conformance.isaac.record import HandRecord, Stamps, joints_of
 from extensions.conformance.isaac.writer import IsaacWriter
+from tracker.base.notices import notice
 from tracker.messages import Estimate
 from tracker.streaming.payload import openxr_of
 from tracker.streaming.publisher import Names, OtherHand, StreamError
@@ -34,13 +35,13 @@ class IsaacPublisher:
         tips: bool = False,
     ) -> None:
         if not names.openxr:
-            raise StreamError("The Isaac record requires OpenXR's joints.")
+            raise StreamError(notice("isaac.needs_openxr"))
         self._names, self._clock_ns, self._tips = names, clock_ns, tips
         self.name = f"Isaac record {path.name}"
         try:
             self._file = path.open("xb")
         except OSError as error:
-            raise StreamError(f"{path} cannot be created: {error.strerror}.") from error
+            raise StreamError(notice("file.not_created", path=path, why=error.strerror)) from error
         self._writer = IsaacWriter(self._file)
         self._last = 0
         self._writing = threading.Lock()
@@ -58,7 +59,7 @@ class IsaacPublisher:
 
     def _write(self, names: Names, estimate: Estimate) -> None:
         if self._file.closed:
-            raise StreamError("the Isaac record is closed")
+            raise StreamError(notice("stream.closed", what="Isaac record"))
         sample = round(estimate.t * 1e9)
         available = self._last = max(self._clock_ns(), sample, self._last)
         hand = openxr_of(estimate, names)

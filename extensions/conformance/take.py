@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from extensions.conformance.isaac.record import HandRecord
 from tracker.base.clock import NS
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.base.toml_reader import read_text
 from tracker.hand.names import FINGERS
 from tracker.hand.openxr import JOINTS
@@ -169,4 +170,4 @@ def read_labels(path: Path) -> list[ScriptStep]:
         rows: Iterable[dict[str, Any]] = json.loads(read_text(path))["steps"]
         return [ScriptStep(str(r["label"]), int(r["start_ns"]), int(r["end_ns"])) for r in rows]
     except (ValueError, KeyError, TypeError) as error:
-        raise FileError(f"{path} is not a list of labelled steps.") from error
+        raise FileError(notice("conformance.labels", path=path)) from error

@@ -36,6 +36,7 @@ from extensions.foxglove.protocol import (
     server_info,
 )
 from extensions.foxglove.scene import FoxgloveScene, estimate_schema, scene_schema
+from tracker.base.notices import notice
 from tracker.messages import Estimate
 from tracker.session.ros import motion
 from tracker.session.ros.definitions import definition
@@ -105,7 +106,7 @@ class FoxglovePublisher:
 
     def _send(self, hand: _HandChannels, estimate: Estimate) -> None:
         if self._closed:
-            raise StreamError("the Foxglove server is closed")
+            raise StreamError(notice("stream.closed", what="Foxglove server"))
         stamp_ns = round((estimate.t + self._wall) * 1e9)
         wanted = {channel for c in self._clients for channel in tuple(c.wants.by_channel)}
         for channel in sorted(wanted & hand.encoders.keys()):
@@ -206,7 +207,7 @@ class _Client:
         async for text in self._connection:
             before = set(self.wants.by_channel)
             try:
-                self.wants.hear(text)
+                self.wants.receive(text)
             except ProtocolError as trouble:
                 await self._connection.send(error(str(trouble)))
             for channel in self.wants.by_channel.keys() & self._once.keys() - before:

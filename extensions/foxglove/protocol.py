@@ -12,14 +12,17 @@ import struct
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 
+from tracker.base.errors import GlovetrackError
+from tracker.base.notices import notice
+
 SUBPROTOCOLS = ("foxglove.sdk.v1", "foxglove.websocket.v1")
 MESSAGE_DATA = 1
 """Opcode of a binary message: subscription's number (uint32), time in ns (uint64), payload."""
 ERROR_LEVEL = 2  # of a status: 0 info, 1 warning
 
 
-class ProtocolError(Exception):
-    """A client said what the protocol does not know; the text is for the client."""
+class ProtocolError(GlovetrackError):
+    """A client sent an invalid message; the text is sent to the client."""
 
 
 @dataclass(frozen=True)
@@ -76,28 +79,28 @@ class Subscriptions:
         self.by_channel: dict[int, int] = {}
         """The client's number for each channel it wants."""
 
-    def hear(self, text: str | bytes) -> None:
-        """Take what the client says. Raises ProtocolError; what came before it is kept."""
+    def receive(self, text: str | bytes) -> None:
+        """Take a message of the client. Raises ProtocolError; earlier subscriptions remain."""
         try:
-            said = json.loads(text)
-            op = said["op"]
+            request = json.loads(text)
+            op = request["op"]
             if op == "subscribe":
-                for one in said["subscriptions"]:
+                for one in request["subscriptions"]:
                     self._add(_uint32(one["id"]), _uint32(one["channelId"]))
             elif op == "unsubscribe":
-                gone = {_uint32(number) for number in said["subscriptionIds"]}
+                gone = {_uint32(number) for number in request["subscriptionIds"]}
                 self.by_channel = {c: s for c, s in self.by_channel.items() if s not in gone}
             else:
-                raise ProtocolError(f"Glovetrack has no operation {op!r}.")
+                raise ProtocolError(notice("foxglove.no_operation", operation=op))
         except (ValueError, KeyError, TypeError, RecursionError) as error:
-            raise ProtocolError(f"This message is not understood: {error!r}.") from error
+            raise ProtocolError(notice("foxglove.not_understood", why=repr(error))) from error
 
     def _add(self, subscription: int, channel: int) -> None:
         if channel not in self._known:
-            raise ProtocolError(f"There is no channel {channel}.")
+            raise ProtocolError(notice("foxglove.no_channel", channel=channel))
         if channel in self.by_channel or subscription in self.by_channel.values():
             raise ProtocolError(
-                f"Subscription {subscription} to channel {channel} is a second one."
+                notice("foxglove.second", subscription=subscription, channel=channel)
             )
         self.by_channel[channel] = subscription
 

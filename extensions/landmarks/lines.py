@@ -9,7 +9,7 @@ import time
 from collections.abc import Callable
 from typing import Protocol
 
-from tracker.base.notices import Notice
+from tracker.base.notices import Notice, notice
 from tracker.streaming.connection import StreamError
 from tracker.streaming.datagram import DatagramSocket
 
@@ -81,17 +81,19 @@ class ConnectedLines:
         except OSError as error:
             self._socket.close()
             self._socket = None
-            raise StreamError(f"{self.name}: {error}.") from error
+            raise StreamError(notice("stream.failed", stream=self.name, why=error)) from error
 
     def _connected(self) -> socket.socket:
         now = time.monotonic()
         if now < self._due:
-            raise StreamError(f"{self.name}: no connection.")
+            raise StreamError(notice("stream.not_connected", stream=self.name))
         self._due = now + RETRY_AFTER
         try:
             out = socket.create_connection(self._address, CONNECT_WAIT)
         except OSError as error:
-            raise StreamError(f"{self.name}: no connection ({error}).") from error
+            raise StreamError(
+                notice("stream.no_connection", stream=self.name, why=error)
+            ) from error
         out.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         return out
 
@@ -111,7 +113,9 @@ class ServedLines:
         try:
             self._server = socket.create_server((host, port))
         except (OSError, OverflowError) as error:
-            raise StreamError(f"No {what} server at {host}:{port}: {error}.") from error
+            raise StreamError(
+                notice("stream.server_not_started", kind=what, host=host, port=port, why=error)
+            ) from error
         self._server.setblocking(False)
         self.port = self._server.getsockname()[1]
         self.name = f"{what} at {host}:{self.port} (TCP)"
@@ -157,8 +161,9 @@ class ServedLines:
 def open_lines(transport: str, what: str, host: str, port: int) -> Lines:
     """Raises StreamError for an unknown transport, and where it cannot be opened."""
     if transport not in TRANSPORTS:
-        known = ", ".join(TRANSPORTS)
-        raise StreamError(f"There is no transport {transport!r}. Transports are {known}.")
+        raise StreamError(
+            notice("option.choice", option="transport", known=TRANSPORTS, value=transport)
+        )
     kinds: dict[str, Callable[[str, str, int], Lines]]
     kinds = {UDP: DatagramLines, TCP: ConnectedLines, SERVER: ServedLines}
     return kinds[transport](what, host, port)

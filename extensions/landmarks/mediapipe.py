@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from extensions.landmarks.points import CAMERA_OF_G, WRIST, landmarks_of
-from tracker.base.notices import Notice
+from tracker.base.notices import Notice, notice
 from tracker.messages import Array, Estimate
 from tracker.streaming.connection import StreamError
 from tracker.streaming.datagram import DatagramSocket
@@ -39,7 +39,7 @@ class View:
 
     def __post_init__(self) -> None:
         if not self.width > 0:
-            raise StreamError(f"The image's width is more than 0 m, not {self.width:g}.")
+            raise StreamError(notice("option.positive", option="width"))
 
     def project(self, points: Array) -> Array:
         """(21, 3) image coordinates of points (21, 3) m in the camera's axes."""

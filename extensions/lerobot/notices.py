@@ -14,4 +14,8 @@ TEXTS = {
     "lerobot.rate": "LeRobot requires an integer rate, not {rate_hz:g} Hz.",
     "lerobot.image_kind": "The images of camera {camera} in {path} are not JPEG or PNG.",
     "lerobot.image_damaged": "An image is damaged.",
+    "lerobot.layouts_differ": (
+        "{first} and {other} differ in their {what:word}, which must be the same for all "
+        "episodes. Export them one by one, or leave the difference out (--images none)."
+    ),
 }

@@ -154,9 +154,7 @@ def _check_same(first: Path, layout: Layout, source: Path, found: Layout) -> Non
     ):
         if ours != theirs:
             raise ConfigError(
-                f"{first} and {source} differ in their {what}, which must be the same for all "
-                "episodes. Export them one by one"
-                + (", or with --images none." if what == "cameras" else ".")
+                notice("lerobot.layouts_differ", first=first, other=source, what=what)
             )
 
 

@@ -15,6 +15,7 @@ from pathlib import Path
 
 from extensions.openxr.library import LIBRARY, SOURCES
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 
 COMPILERS = ("c++", "g++", "clang++")
 OPTIONS = (
@@ -31,12 +32,10 @@ def compiler() -> str:
     given = os.environ.get("CXX")
     found = next(filter(None, map(shutil.which, [given] if given else COMPILERS)), None)
     if found is None:
-        raise ConfigError("No C++ compiler was found. On Debian: apt-get install g++")
+        raise ConfigError(notice("openxr.no_compiler"))
     asked = [found, "-fsyntax-only", "-x", "c++", "-"]
     if subprocess.run(asked, input=HEADER, text=True, capture_output=True).returncode:
-        raise ConfigError(
-            "OpenXR's headers were not found. On Debian: apt-get install libopenxr-dev"
-        )
+        raise ConfigError(notice("openxr.no_headers"))
     return found
 
 
@@ -47,7 +46,7 @@ def compile_library(sources: Sequence[Path], target: Path) -> None:
     command = [compiler(), *OPTIONS, f"-I{SOURCES}", *map(str, sources), "-o", str(made)]
     run = subprocess.run(command, text=True, capture_output=True)
     if run.returncode:
-        raise ConfigError(f"{target.name} cannot be compiled:\n{run.stderr}")
+        raise ConfigError(notice("openxr.not_compiled", file=target.name, why=run.stderr))
     made.replace(target)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from tracker.base.notices import notice
 from tracker.streaming.connection import StreamError, option
 from tracker.streaming.publisher import Names, Publisher
 from tracker.streaming.registry import StreamKind
@@ -32,9 +33,11 @@ def _make(options: OpenXrOptions, hands: Sequence[Names]) -> Iterator[Publisher]
 
     spaces = {space.name.lower(): space for space in Space}
     if options.space not in spaces:
-        raise StreamError(f"The space is {' or '.join(spaces)}, not {options.space!r}.")
+        raise StreamError(
+            notice("option.choice", option="space", known=tuple(spaces), value=options.space)
+        )
     if not 0 <= options.ahead_ms <= MOST_AHEAD_MS:
-        raise StreamError(f"ahead_ms is between 0 and {MOST_AHEAD_MS}, not {options.ahead_ms}.")
+        raise StreamError(notice("option.range", option="ahead_ms", low=0, high=MOST_AHEAD_MS))
     position = options.x, options.y, options.z
     placement = Placement(spaces[options.space], position, options.yaw, options.ahead_ms / 1000)
     first, *others = (names.with_openxr() for names in hands)

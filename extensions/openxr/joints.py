@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from extensions.openxr.layout import JOINT, Velocity
 from extensions.openxr.quaternions import inverse, product, rotate, rotation_vector
+from tracker.base.notices import notice
 from tracker.hand.openxr import JOINTS, WRIST, OpenXrHand, keypoint_rows, openxr_motion
 from tracker.messages import Array, Estimate, Validity
 from tracker.streaming.payload import openxr_of
@@ -55,7 +56,7 @@ class JointSeries:
         self._radii = np.array(names.radii)
         if not np.isfinite(self._radii).all():
             lacking = ", ".join(n for n, r in zip(JOINTS, names.radii, strict=True) if r != r)
-            raise StreamError(f"The hand lacks joints that OpenXR requires: {lacking}.")
+            raise StreamError(notice("openxr.joints_missing", joints=lacking))
         self._rows = np.array(keypoint_rows(names.keypoints))
         self._seen = np.full(len(JOINTS), -np.inf)  # s, when each joint last had a pose
         self._p_W = np.zeros((len(JOINTS), 3))  # m in the wrist's axes, at that time

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from extensions.openxr.layout import SIZE, VERSION
+from tracker.base.notices import notice
 from tracker.streaming.connection import StreamError
 
 ELSEWHERE = "GLOVETRACK_OPENXR_MEMORY"
@@ -93,29 +94,29 @@ def _locked(path: Path) -> int:
         if _is_at(path, handle):
             return handle
         os.close(handle)  # removed by its program before we had the lock
-    raise StreamError(f"{path} cannot be created: another program removes it repeatedly.")
+    raise StreamError(notice("openxr.memory_removed", path=path))
 
 
 def _opened(path: Path) -> int:
     if sys.platform == "win32" or not hasattr(os, "posix_fallocate"):
-        raise StreamError("The OpenXR layer needs Linux or Windows.")
+        raise StreamError(notice("openxr.system"))
     handle = -1
     try:
         handle = os.open(path, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_CLOEXEC, 0o600)
         if os.fstat(handle).st_uid != os.getuid():
-            raise StreamError(f"{path} belongs to another user.")
+            raise StreamError(notice("openxr.other_user", path=path))
         _lock(handle)
         os.ftruncate(handle, SIZE)
         os.posix_fallocate(handle, 0, SIZE)
     except BlockingIOError as error:
         os.close(handle)
-        raise StreamError("Another Glovetrack already sends its hand to OpenXR.") from error
+        raise StreamError(notice("openxr.occupied")) from error
     except (OSError, StreamError) as error:
         if handle >= 0:
             os.close(handle)
         if isinstance(error, StreamError):
             raise
-        raise StreamError(f"{path} cannot be created: {error.strerror}.") from error
+        raise StreamError(notice("file.not_created", path=path, why=error.strerror)) from error
     return handle
 
 

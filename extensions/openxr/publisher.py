@@ -33,6 +33,7 @@ from extensions.openxr.memory import OpenXrMemory
 from extensions.openxr.readers import clock_ns, readers_of
 from tracker import __version__
 from tracker.base.clock import nanoseconds
+from tracker.base.notices import notice
 from tracker.messages import Estimate
 from tracker.streaming.publisher import Names, OtherHand, StreamError
 
@@ -89,7 +90,7 @@ class OpenXrPublisher:
     def beside(self, names: Names) -> OtherHand:
         """The other hand in the same memory. Raises StreamError for the same side again."""
         if names.side in self._series:
-            raise StreamError(f"OpenXR has only one {names.side} hand.")
+            raise StreamError(notice("openxr.one_hand", side=names.side))
         self._series[names.side] = JointSeries(names)
         self._add(names.side)
         return OtherHand(self.name, partial(self._send, names.side))
@@ -139,7 +140,7 @@ class OpenXrPublisher:
         """Each hand has a thread of its own."""
         with self._writing:
             if self._memory.is_closed:
-                raise StreamError("the OpenXR stream is closed")
+                raise StreamError(notice("stream.closed", what="OpenXR stream"))
             self._write(SIDES.index(side), estimate, self._series[side].add(estimate))
 
     def _write(self, h: int, estimate: Estimate, joints: Joints) -> None:

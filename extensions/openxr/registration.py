@@ -18,6 +18,7 @@ from typing import Protocol
 from extensions.openxr.library import LAYER, LIBRARY, manifest
 from tracker.base.errors import FileError
 from tracker.base.files import write_whole
+from tracker.base.notices import notice
 
 MANIFEST_NAME = f"{LAYER}.json"
 REGISTRY_KEY = r"Software\Khronos\OpenXR\1\ApiLayers\Implicit"
@@ -74,10 +75,7 @@ class Registration:
     def register(self) -> None:
         """Copy the library and tell the loader. Raises FileError."""
         if not self.library.is_file():
-            raise FileError(
-                "The OpenXR layer is not part of this installation. "
-                "In a checkout, run make openxr-layer."
-            )
+            raise FileError(notice("openxr.no_layer"))
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
             self.manifest.parent.mkdir(parents=True, exist_ok=True)
@@ -87,7 +85,7 @@ class Registration:
             if self.registry is not None:
                 self.registry.set(str(self.manifest), ENABLED)
         except OSError as error:
-            raise FileError(f"The OpenXR layer cannot be registered: {error}.") from error
+            raise FileError(notice("openxr.not_registered", why=error)) from error
 
     def unregister(self) -> None:
         """Applications that are running keep the layer. Raises FileError."""
@@ -97,7 +95,7 @@ class Registration:
             self.manifest.unlink(missing_ok=True)
             self.copy.unlink(missing_ok=True)
         except OSError as error:
-            raise FileError(f"The OpenXR layer cannot be unregistered: {error}.") from error
+            raise FileError(notice("openxr.not_unregistered", why=error)) from error
 
     def _is_named(self) -> bool:
         return self.registry is None or str(self.manifest) in self.registry.names()
@@ -111,7 +109,7 @@ def user_registration(library: Path = LIBRARY) -> Registration:
     if sys.platform == "win32":
         return Registration(library, folder, folder / MANIFEST_NAME, WindowsRegistry())
     if sys.platform != "linux":
-        raise FileError("OpenXR layers are available on Linux and Windows.")
+        raise FileError(notice("openxr.system"))
     return Registration(library, folder, implicit_layers(os.environ) / MANIFEST_NAME)
 
 

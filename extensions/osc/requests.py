@@ -30,19 +30,21 @@ def parse(data: bytes, t: float) -> Request | None:
     try:
         address, values = osc_decode.message(data)
     except OscError as error:
-        raise RequestError(f"This is no OSC message: {error}.") from error
+        raise RequestError(notice("osc.not_osc", why=error)) from error
     if address == REPLY:
         return None
     do = address.removeprefix(ROOT)
     if not address.startswith(ROOT) or do not in FIELDS:
         addresses = ", ".join(ROOT + name for name in FIELDS)
-        raise RequestError(f"The OSC addresses are {addresses}.")
+        raise RequestError(notice("osc.address", addresses=addresses))
     if not FIELDS[do] and len(values) == 1:  # of a button: one when pressed, zero when let go
         if values[0] in (0, ""):
             return None
         values = []
     if len(values) > len(FIELDS[do]):
-        raise RequestError(f"{address} has {len(FIELDS[do])} values, not {len(values)}.")
+        raise RequestError(
+            notice("osc.values", address=address, expected=len(FIELDS[do]), found=len(values))
+        )
     return from_fields({"do": do, **dict(zip(FIELDS[do], values, strict=False))}, t)
 
 

@@ -70,7 +70,7 @@ def _columns(table: TomlTable) -> TableColumns:
     scale = unit[table.text("time_unit", "s", among=unit)]
     rate = table.number("rate", 0.0, low=0.0)
     if (time is None) == (rate == 0.0):
-        raise table.fail("time", "or else rate must be given, not both")
+        raise table.fail("time", notice("reference.time_and_rate"))
     pulse = table.text("pulse") if table.has("pulse") else None
     delimiter = table.text("delimiter", ",")
     points = {}
@@ -79,7 +79,7 @@ def _columns(table: TomlTable) -> TableColumns:
     for name in names:
         axes = texts(group, name)
         if len(axes) != 3:
-            raise group.fail(name, "must be a list of its three columns, x, y and z")
+            raise group.fail(name, notice("reference.three_columns"))
         points[name] = (axes[0], axes[1], axes[2])
     group.finish()
     table.finish()

@@ -74,4 +74,6 @@ TEXTS = {
         " {keypoints:list}."
     ),
     "reference.damaged": "{session}: the description of the reference cannot be read.",
+    "reference.time_and_rate": "or else rate must be given, not both",
+    "reference.three_columns": "must be a list of its three columns x, y and z",
 }

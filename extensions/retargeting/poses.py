@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from glovetrack.conventions import MEDIAPIPE, operator_frame
-from tracker.base.notices import Notice
+from tracker.base.notices import Notice, notice
 from tracker.geometry import so3
 from tracker.hand.openxr import (
     JOINTS,
@@ -54,7 +54,7 @@ class PoseView:
     def __post_init__(self) -> None:
         for value, known in ((self.joints, tuple(SETS)), (self.frame, FRAMES)):
             if value not in known:
-                raise StreamError(f"Poses: {value!r} is not one of {', '.join(known)}.")
+                raise StreamError(notice("option.choice", option="poses", known=known, value=value))
 
 
 @dataclass(frozen=True, eq=False)

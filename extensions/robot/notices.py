@@ -30,4 +30,9 @@ TEXTS = {
     "robot.recorded_other": "The recording was made with another robot: {why}.",
     "robot.recorded_model": "The recorded robot does not match its model.",
     "robot.process_ended": "The robot's process has ended. Start the robot again.",
+    "teleop.target": '--send requires HOST:PORT, not "{target}".',
+    "teleop.address": 'Invalid address "{address}". Use a UDP port or ws://HOST:PORT.',
+    "teleop.port": "Port {port} cannot be opened: {why}.",
+    "robot.no_state": "{path} does not contain the initial state of its robot {robot}.",
+    "robot.not_recorded": "{path} does not contain a robot. Asked for: {robot}.",
 }

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from extensions.robot.library import SHADOW
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.base.terminal import add_json, check_json, finish, progress_line
 
 if TYPE_CHECKING:
@@ -90,9 +91,11 @@ def teleoperate(args: argparse.Namespace) -> int:
 
     given = [args.source is not None, args.listen is not None, args.simulate is not None]
     if sum(given) != 1:
-        raise ConfigError("Specify exactly one of a session, --listen and --simulate.")
+        raise ConfigError(
+            notice("option.exactly_one", options=("SESSION", "--listen", "--simulate"))
+        )
     if args.source is None and (args.out or args.check):
-        raise ConfigError("-o and --check require a session.")
+        raise ConfigError(notice("option.requires", option="-o, --check", needed="SESSION"))
     check_json(args, [args.source] if args.source else [])
     need_mujoco()
     if args.check:
@@ -203,7 +206,7 @@ class _StateSender:
         if target:
             host, colon, port = target.rpartition(":")
             if not colon or not port.isdecimal():
-                raise ConfigError(f"--send requires HOST:PORT, not {target!r}.")
+                raise ConfigError(notice("teleop.target", target=target))
             self._socket = DatagramSocket("robot", host, int(port))
 
     def __enter__(self) -> Callable[[RobotState], None]:

@@ -12,6 +12,7 @@ from extensions.robot.teleop_run import DriveFigures, Watch
 from extensions.robot.wearer_hand import WearerHand, hand_from_message
 from tracker.base.clock import monotonic
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.messages import RobotState
 from tracker.streaming.publisher import LOOPBACK, StreamError
 
@@ -61,7 +62,7 @@ def _listening(address: str) -> Iterator[Latest]:
         with _datagrams(int(address)) as latest:
             yield latest
     else:
-        raise ConfigError(f"Invalid address {address!r}. Use a UDP port or ws://HOST:PORT.")
+        raise ConfigError(notice("teleop.address", address=address))
 
 
 @contextmanager
@@ -70,7 +71,7 @@ def _datagrams(port: int) -> Iterator[Latest]:
         receiving = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         receiving.bind((LOOPBACK, port))
     except (OSError, OverflowError) as error:
-        raise StreamError(f"Port {port} cannot be opened: {error}.") from error
+        raise StreamError(notice("teleop.port", port=port, why=error)) from error
 
     def latest() -> bytes | None:
         data: bytes | None = None
@@ -92,13 +93,11 @@ def _websocket(url: str) -> Iterator[Latest]:
         from websockets.exceptions import ConnectionClosed
         from websockets.sync.client import connect
     except ImportError as error:
-        raise ConfigError(
-            'WebSocket streams require: pip install "glovetrack[streams]".'
-        ) from error
+        raise ConfigError(notice("option.packages", option="ws://", extra="streams")) from error
     try:
         connection = connect(url)
     except (OSError, ValueError) as error:
-        raise StreamError(f"No connection to {url}: {error}.") from error
+        raise StreamError(notice("stream.no_connection", stream=url, why=error)) from error
 
     def latest() -> str | bytes | None:
         data: str | bytes | None = None

@@ -19,6 +19,7 @@ from extensions.robot.wearer_hand import hand_from_estimate
 from tracker.base.clock import monotonic, nanoseconds
 from tracker.base.errors import FileError
 from tracker.base.files import whole_file
+from tracker.base.notices import notice
 from tracker.messages import Estimate, Event, RobotMemory, RobotState
 from tracker.session.decode_robot import read_robot, robot_model, robot_names
 from tracker.session.encode import Encoder, ImageCoding, Out
@@ -147,7 +148,7 @@ def drive_again(path: Path, robot: str = "") -> Repeated:
     with SessionReader(path) as reader:
         names = robot_names(reader)
         if not names or (robot and robot not in names):
-            raise FileError(f"{path} does not contain a robot{' ' + robot if robot else ''}.")
+            raise FileError(notice("robot.not_recorded", path=path, robot=robot or "-"))
         name = robot or names[0]
         teleop = Teleop(settings_of(robot_model(reader, name).settings))
         recorded, memory = _recorded(reader, name)
@@ -165,7 +166,7 @@ def _recorded(reader: SessionReader, name: str) -> tuple[dict[int, RobotState], 
         elif isinstance(message, RobotState) and memory is not None and message.t > memory.t:
             states[nanoseconds(message.t)] = message
     if memory is None:
-        raise FileError(f"{reader.path} does not contain the initial state of its robot {name}.")
+        raise FileError(notice("robot.no_state", path=reader.path, robot=name))
     return states, memory
 
 

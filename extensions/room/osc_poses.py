@@ -18,6 +18,7 @@ import numpy as np
 from extensions.osc import decode
 from extensions.osc.decode import BUNDLE, OscError
 from extensions.room.frames import from_unity, from_unity_euler
+from tracker.base.notices import notice
 from tracker.messages import Array
 
 OURS = "/glovetrack/wrist"
@@ -78,24 +79,24 @@ def messages(data: bytes, depth: int = 0) -> Iterator[tuple[str, list[str | int 
         yield decode.message(data)
         return
     if depth == MOST_DEEP:
-        raise OscError("the OSC bundles are nested too deeply")
+        raise OscError(notice("osc.nested"))
     at = _HEAD
     while at < len(data):
         if at + 4 > len(data):
-            raise OscError("the OSC bundle is cut off")
+            raise OscError(notice("osc.truncated"))
         (size,) = struct.unpack_from(">i", data, at)
         if not 0 < size <= len(data) - at - 4:
-            raise OscError("the OSC bundle is cut off")
+            raise OscError(notice("osc.truncated"))
         yield from messages(data[at + 4 : at + 4 + size], depth + 1)
         at += 4 + size
 
 
 def _numbers(values: list[str | int | float | bool], count: int) -> Array:
     if len(values) != count or any(isinstance(v, str) for v in values):
-        raise OscError(f"a pose needs {count} numbers")
+        raise OscError(notice("osc.pose_numbers", count=count))
     out = np.array(values, float)
     if not np.isfinite(out).all():
-        raise OscError("a pose has numbers that are not finite")
+        raise OscError(notice("osc.pose_finite"))
     return out
 
 
@@ -103,6 +104,6 @@ def _unit(q: Array) -> Array:
     """Raises OscError for a quaternion (4,) of zeros."""
     length = float(np.linalg.norm(q))
     if length < 0.5:
-        raise OscError("a quaternion is not of unit length")
+        raise OscError(notice("osc.pose_norm"))
     out: Array = q / length
     return out

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from tracker.base.command import Command, UsageError
 from tracker.base.errors import ConfigError
-from tracker.base.notices import failure
+from tracker.base.notices import failure, notice
 from tracker.base.terminal import add_force, add_json, check_json, finish, printable
 
 if TYPE_CHECKING:
@@ -77,7 +77,7 @@ def _run(args: argparse.Namespace) -> int:
     from extensions.study.protocol import load_protocol
 
     if args.headless and not args.simulated:
-        raise UsageError("--headless requires --simulated: cues need a screen and a participant.")
+        raise UsageError(notice("option.requires", option="--headless", needed="--simulated"))
     path = protocol_path(args.protocol)
     protocol, _ = load_protocol(path)
     study = start_study(path, args.folder or Path(protocol.name))

@@ -44,4 +44,16 @@ TEXTS = {
     "study.image_rate": (
         "{found_hz:.1f} images per second arrived; the protocol requires {least_hz:.1f}."
     ),
+    "study.no_condition": "is missing: a study has at least one condition",
+    "study.task_unused": "is not part of any condition",
+    "study.participants": "is missing: give a number or a list of labels",
+    "study.task_twice": "contains a task twice; use trials instead",
+    "study.things_drawn": "is {drawn}, but there are {count} things",
+    "study.things_undrawn": "requires things_drawn: how many things a trial uses",
+    "study.no_duration": "requires a duration",
+    "study.no_time": "leaves no time for cues",
+    "study.picture_outside": 'contains the picture "{picture}", which is outside its folder',
+    "study.picture_missing": 'contains the picture "{picture}", which does not exist',
+    "study.unknown_task": 'contains "{task}", which is not a task. Known tasks: {known}',
+    "study.label": 'contains "{label}", which is not a label: use 1 to 32 letters and digits',
 }

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.base.toml_reader import TomlTable, read_text, read_toml, texts
 from tracker.hand.names import SIDES
 
@@ -118,9 +119,9 @@ def load_protocol(path: Path) -> tuple[Protocol, str]:
     root = read_toml(text, str(path))
     for cue in protocol.pictures:
         if Path(cue).is_absolute() or ".." in Path(cue).parts:
-            raise root.fail("tasks", f"has the picture {cue!r}, which is outside its folder")
+            raise root.fail("tasks", notice("study.picture_outside", picture=cue))
         if not (path.parent / cue).is_file():
-            raise root.fail("tasks", f"has the picture {cue!r}, which does not exist")
+            raise root.fail("tasks", notice("study.picture_missing", picture=cue))
     return protocol, text
 
 
@@ -134,10 +135,10 @@ def parse_protocol(text: str, name: str = "protocol.toml") -> Protocol:
         for label, table in _labelled(root, "conditions").items()
     }
     if not conditions:
-        raise root.fail("conditions", "is missing: a study has at least one condition")
+        raise root.fail("conditions", notice("study.no_condition"))
     used = {task for condition in conditions.values() for task in condition.tasks}
     for unused in tasks.keys() - used:
-        raise root.table("tasks").fail(unused, "is in no condition")
+        raise root.table("tasks").fail(unused, notice("study.task_unused"))
     protocol = Protocol(
         name=_label(study, "name"),
         title=study.text("title"),
@@ -162,24 +163,21 @@ def _labelled(root: TomlTable, key: str) -> dict[str, TomlTable]:
     found = root.tables(key)
     for label in found:
         if not _LABEL.fullmatch(label):
-            raise root.table(key).fail(label, _RULE)
+            raise root.table(key).fail(label, notice("study.label", label=label))
     return found
-
-
-_RULE = "is not a label: use 1 to 32 letters and digits"
 
 
 def _label(table: TomlTable, key: str) -> str:
     value = table.text(key)
     if not _LABEL.fullmatch(value):
-        raise table.fail(key, f"is {value!r}, which {_RULE}")
+        raise table.fail(key, notice("study.label", label=value))
     return value
 
 
 def _participants(study: TomlTable) -> tuple[str, ...]:
     """``P01``… for a number, or the labels of a list."""
     if not study.has("participants"):
-        raise study.fail("participants", "is missing: a number, or a list of labels")
+        raise study.fail("participants", notice("study.participants"))
     try:
         study.integer("participants")
     except FileError:
@@ -193,16 +191,16 @@ def _listed(study: TomlTable) -> tuple[str, ...]:
     labels = texts(study, "participants")
     for label in labels:
         if not _LABEL.fullmatch(label):
-            raise study.fail("participants", f"has {label!r}, which {_RULE}")
+            raise study.fail("participants", notice("study.label", label=label))
     if len(set(labels)) != len(labels):
-        raise study.fail("participants", "names somebody twice")
+        raise study.fail("participants", notice("toml.twice"))
     return labels
 
 
 def _count(table: TomlTable, key: str, default: object, low: int, high: int) -> int:
     value = table.integer(key, default)
     if not low <= value <= high:
-        raise table.fail(key, f"is {value}; it must be between {low} and {high}")
+        raise table.fail(key, notice("toml.range", value=value, low=low, high=high))
     return value
 
 
@@ -211,9 +209,9 @@ def _condition(label: str, table: TomlTable, tasks: Mapping[str, Task]) -> Condi
     for task in names:
         if task not in tasks:
             known = ", ".join(tasks) or "none"
-            raise table.fail("tasks", f"has {task!r}, which is not a task; known: {known}")
+            raise table.fail("tasks", notice("study.unknown_task", task=task, known=known))
     if len(set(names)) != len(names):
-        raise table.fail("tasks", "names a task twice; use trials instead")
+        raise table.fail("tasks", notice("study.task_twice"))
     condition = Condition(
         name=label,
         title=table.text("title"),
@@ -245,13 +243,15 @@ def _task(label: str, table: TomlTable) -> Task:
     )
     if task.things_drawn > len(task.things):
         count = len(task.things)
-        raise table.fail("things_drawn", f"is {task.things_drawn}, but there are {count} things")
+        raise table.fail(
+            "things_drawn", notice("study.things_drawn", drawn=task.things_drawn, count=count)
+        )
     if task.things and not task.things_drawn:
-        raise table.fail("things", "requires things_drawn: how many of them are taken in a trial")
+        raise table.fail("things", notice("study.things_undrawn"))
     if task.things and task.is_timed:
-        raise table.fail("things", "requires a duration")
+        raise table.fail("things", notice("study.no_duration"))
     if task.things and task.duration <= task.things_drawn * task.take:
-        raise table.fail("take", "leaves no time for cues")
+        raise table.fail("take", notice("study.no_time"))
     table.finish()
     return task
 

@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.base.terminal import add_json, check_json, finish, progress_line
 
 RULER_MM = (240.0, 280.0)
@@ -47,7 +48,7 @@ def touch_test(args: argparse.Namespace) -> int:
     from extensions.touch.report import as_json, write_report
 
     if args.ruler is not None and not RULER_MM[0] <= args.ruler <= RULER_MM[1]:
-        raise ConfigError("--ruler must be 240 to 280 mm: measure the printed line of 260 mm.")
+        raise ConfigError(notice("touch.ruler_range"))
     check_json(args, args.sessions)
     ruler = None if args.ruler is None else args.ruler / 1000
     results = [analyse(s, ruler, args.side, progress_line("reading")) for s in args.sessions]

@@ -43,4 +43,5 @@ TEXTS = {
     "touch.cue_pinch": "Pinch thumb and index finger 20 times.",
     "touch.cue_still": "Hold the hand still for 10 seconds.",
     "touch.ruler": "The printed line of 260 mm measures {length_mm:.1f} mm.",
+    "touch.ruler_range": "--ruler must be 240 to 280 mm. Measure the printed line of 260 mm.",
 }

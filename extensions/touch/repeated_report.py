@@ -13,6 +13,7 @@ from extensions.touch.result import AXES, TouchResult
 from tracker import __version__
 from tracker.base.errors import ConfigError
 from tracker.base.files import check_target, whole_file
+from tracker.base.notices import notice
 from tracker.base.report_page import html_page, html_table
 
 
@@ -22,7 +23,7 @@ def write_repeated(
     """Write ``out`` (HTML). Raises ConfigError if its name does not end in .html or the sessions
     do not belong together, FileError if it exists."""
     if out.suffix.lower() not in (".html", ".htm"):
-        raise ConfigError(f"The report is an HTML page: {out.name} must end in .html.")
+        raise ConfigError(notice("option.html", file=out.name))
     check_target(out, force, inputs)
     text = _page(results, repeatability(results))
     with whole_file(out, force=force, inputs=inputs) as part:

@@ -13,6 +13,7 @@ from extensions.touch.statistics import Interval
 from tracker import __version__
 from tracker.base.errors import ConfigError
 from tracker.base.files import check_target, whole_files
+from tracker.base.notices import notice
 from tracker.base.report_page import html_page, html_table
 
 MM = 1000.0
@@ -26,7 +27,7 @@ def write_report(
     Raises ConfigError if the name does not end in .html, FileError for files that exist.
     """
     if out.suffix.lower() not in (".html", ".htm"):
-        raise ConfigError(f"The report is an HTML page: {out.name} must end in .html.")
+        raise ConfigError(notice("option.html", file=out.name))
     targets = [out, out.with_suffix(".pdf")]
     for target in targets:
         check_target(target, force, inputs)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tracker.base.notices import notice
 from tracker.gestures.recogniser import GestureRecogniser
 from tracker.gestures.values import GESTURES
 from tracker.hand.model import HandModel
@@ -34,7 +35,7 @@ class ButtonGestures:
         for name in (self.trigger, self.grip, self.a, self.b):
             if name and name not in GESTURES:
                 known = ", ".join(GESTURES)
-                raise StreamError(f"There is no gesture {name!r}. Gestures are {known}.")
+                raise StreamError(notice("vr.unknown_gesture", name=name, known=known))
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,6 +9,7 @@ from dataclasses import replace
 
 from extensions.osc import decode
 from extensions.osc.decode import OscError
+from tracker.base.notices import notice
 from tracker.hand.names import CHAINS
 from tracker.streaming.connection import StreamError
 from tracker.streaming.remote.doors import DatagramDoor, Door
@@ -52,7 +53,7 @@ def _motors(fingers: str) -> Sequence[str]:
     for name in names:
         if name not in CHAINS:
             known = ", ".join(CHAINS)
-            raise StreamError(f"There is no finger {name!r}. Fingers are {known}, or {ALL}.")
+            raise StreamError(notice("vr.unknown_finger", name=name, known=known, all=ALL))
     return names
 
 
@@ -65,12 +66,12 @@ def haptic(data: bytes, t: float, sides: dict[int, str]) -> Request | None:
     try:
         address, values = decode.message(data)
     except OscError as error:
-        raise RequestError(f"An OSC message was expected: {error}.") from error
+        raise RequestError(notice("osc.expected", why=error)) from error
     if address != HAPTIC:
         return None
     numbers = [v for v in values if isinstance(v, int | float)]
     if len(numbers) != 4 or not all(map(math.isfinite, numbers)):
-        raise RequestError(f"{HAPTIC} has an index, a frequency, an amplitude and a duration.")
+        raise RequestError(notice("vr.haptic_values", address=HAPTIC))
     index, _, amplitude, duration = numbers
     if int(index) not in sides or amplitude <= 0:
         return None

@@ -69,18 +69,20 @@ class PipePublisher:
             os.write(self._file, data)
         except OSError as error:
             self.close()
-            raise StreamError(f"{self.name}: {error}.") from error
+            raise StreamError(notice("stream.failed", stream=self.name, why=error)) from error
 
     def _opened(self) -> int:
         now = time.monotonic()
         if now < self._due:
-            raise StreamError(f"{self.name}: the driver does not run.")
+            raise StreamError(notice("stream.not_connected", stream=self.name))
         self._due = now + RETRY_AFTER
         flags = os.O_WRONLY | getattr(os, "O_BINARY", 0) | getattr(os, "O_NONBLOCK", 0)
         try:
             return os.open(self._path, flags)
         except OSError as error:
-            raise StreamError(f"{self.name}: the driver does not run ({error}).") from error
+            raise StreamError(
+                notice("stream.no_connection", stream=self.name, why=error)
+            ) from error
 
     def _packet(self, c: Controls) -> bytes:
         joints, splay = joints_of(c), c.splay
@@ -109,7 +111,7 @@ class LinePublisher:
             import tty
             from fcntl import ioctl
         except ImportError as error:
-            raise StreamError("This system has no pseudo-terminals.") from error
+            raise StreamError(notice("opengloves.no_terminal")) from error
         self._termios, self._ioctl = termios, ioctl
         self._controls = control_reader(names, gestures)
         self._master, self._slave = pty.openpty()
@@ -130,7 +132,7 @@ class LinePublisher:
         except OSError as error:
             self._link = None
             self.close()
-            raise StreamError(f"The link {link} cannot be made: {error}.") from error
+            raise StreamError(notice("opengloves.link", link=link, why=error)) from error
 
     def send(self, estimate: Estimate) -> None:
         data = line_of(self._controls.read(estimate)).encode()

@@ -47,7 +47,7 @@ class VmtDevice:
 
     def __post_init__(self) -> None:
         if not 0 <= self.index <= MOST_DEVICE:
-            raise StreamError(f"Devices of VMT are 0 to {MOST_DEVICE}, not {self.index}.")
+            raise StreamError(notice("option.range", option="index", low=0, high=MOST_DEVICE))
 
 
 class VmtPublisher:

@@ -9921,6 +9921,31 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>IMU {imu} of the glove: axes that no longer change: {axes:list}. Restart the glove; if they stay so, replace the IMU.</source>
+      <translation>IMU {imu} des Handschuhs: Achsen, die sich nicht mehr ändern: {axes:list}. Starten Sie den Handschuh neu; bleibt es dabei, ersetzen Sie die IMU.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The recording has {rests} rests; at least {fewest} in different positions are needed. Lay the glove still for two seconds on each side of a box.</source>
+      <translation>Die Aufnahme hat {rests} Ruhelagen; nötig sind mindestens {fewest} in verschiedenen Lagen. Legen Sie den Handschuh je zwei Sekunden ruhig auf jede Seite einer Schachtel.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} has no temperatures of IMUs. Firmware 1.3 of the glove reports them.</source>
+      <translation>{path} enthält keine Temperaturen der IMUs. Die Firmware 1.3 des Handschuhs meldet sie.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is a recording of another glove: it has the IMU {imu}.</source>
+      <translation>{path} ist eine Aufnahme eines anderen Handschuhs: Sie hat die IMU {imu}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The recordings have no rest of a second. Lay the glove down at the beginning and at the end.</source>
+      <translation>Die Aufnahmen enthalten keine Ruhe von einer Sekunde. Legen Sie den Handschuh am Anfang und am Ende ab.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>The two gloves are exchanged: each uses the files of the other hand. Choose the hand of each in the gloves' set-up.</source>
       <translation>Die beiden Handschuhe sind vertauscht: Jeder verwendet die Dateien der anderen Hand. Wählen Sie in der Einrichtung der Handschuhe für jeden die Hand.</translation>
     </message>
@@ -10083,6 +10108,36 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>{path}: {key} in [{section}] is "{text}", which is not a number.</source>
       <translation>{path}: {key} in [{section}] ist „{text}“, also keine Zahl.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The simulated glove requires a pseudo-terminal, which this system does not have.</source>
+      <translation>Der simulierte Handschuh braucht ein Pseudoterminal, das es auf diesem System nicht gibt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The simulated cameras require named pipes, which this system does not have.</source>
+      <translation>Die simulierten Kameras brauchen benannte Pipes, die es auf diesem System nicht gibt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>An image must be in colour with 8 bits per channel, not of shape {shape} and type {type}.</source>
+      <translation>Ein Bild muss farbig sein und 8 Bit je Kanal haben, nicht Form {shape} und Typ {type}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The simulated glove did not start.</source>
+      <translation>Der simulierte Handschuh ist nicht gestartet.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No glove was found at {port}. {reasons}</source>
+      <translation>An {port} wurde kein Handschuh gefunden. {reasons}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No glove was found on any USB port. {reasons}</source>
+      <translation>An keinem USB-Anschluss wurde ein Handschuh gefunden. {reasons}</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -11021,6 +11076,31 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>{path} contains no images whose light can be measured.</source>
+      <translation>{path} enthält keine Bilder, deren Licht sich messen lässt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The session contains no camera calibration, so no hand can be found in its images.</source>
+      <translation>Die Sitzung enthält keine Kamerakalibrierung; in ihren Bildern lässt sich daher keine Hand finden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} contains no images to fit colours to.</source>
+      <translation>{path} enthält keine Bilder, an die sich Farben anpassen lassen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The colours are unchanged: the fitted ones find {found:.1f} markers and {others:.1f} other objects per image, the current ones {found_before:.1f} and {others_before:.1f}.</source>
+      <translation>Die Farben sind unverändert: Die angepassten finden je Bild {found:.1f} Marker und {others:.1f} andere Dinge, die bisherigen {found_before:.1f} und {others_before:.1f}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The colours could not be fitted: no hand was found with certainty in any light. Hold the hand flat and still in view of {cameras:word}, in more or whiter light.</source>
+      <translation>Die Farben ließen sich nicht anpassen: Bei keinem Licht wurde sicher eine Hand gefunden. Halten Sie die Hand flach und ruhig in die Sicht von {cameras:word}, bei mehr oder weißerem Licht.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>The result places the lenses {found_mm:.1f} mm apart, but the known distance is {known_mm:.1f} mm. Measure a square of the board again.</source>
       <translation>Das Ergebnis ergibt einen Abstand der Objektive von {found_mm:.1f} mm, bekannt sind aber {known_mm:.1f} mm. Messen Sie ein Feld der Tafel noch einmal.</translation>
     </message>
@@ -11591,6 +11671,61 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>{path} is damaged: the attachment at byte {offset} is incomplete. Save what can be read with glovetrack recover.</source>
+      <translation>{path} ist beschädigt: Der Anhang bei Byte {offset} ist unvollständig. Retten Sie mit glovetrack recover, was lesbar ist.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is damaged in the chunk at byte {offset}: {why}. Save what can be read with glovetrack recover.</source>
+      <translation>{path} ist im Block bei Byte {offset} beschädigt: {why}. Retten Sie mit glovetrack recover, was lesbar ist.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path}: {why}</source>
+      <translation>{path}: {why}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The camera requires a calibration. Pass the path of its calibration file, which the window creates under Set-up, Camera calibration.</source>
+      <translation>Die Kamera braucht eine Kalibrierung. Übergeben Sie den Pfad ihrer Kalibrierdatei; das Fenster erzeugt sie unter Einrichtung, Kamerakalibrierung.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Two hands are tracked. Specify the side.</source>
+      <translation>Zwei Hände werden getrackt. Geben Sie die Seite an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} is a recording of both hands. Specify the side.</source>
+      <translation>{file} ist eine Aufnahme beider Hände. Geben Sie die Seite an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} is a recording of the {side:word} hand.</source>
+      <translation>{file} ist eine Aufnahme der Hand {side:word}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is damaged at byte {offset}. Save what can be read with glovetrack recover.</source>
+      <translation>{path} ist bei Byte {offset} beschädigt. Retten Sie mit glovetrack recover, was lesbar ist.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is damaged at byte {offset}: {why}. Save what can be read with glovetrack recover.</source>
+      <translation>{path} ist bei Byte {offset} beschädigt: {why}. Retten Sie mit glovetrack recover, was lesbar ist.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>there is no chunk</source>
+      <translation>dort ist kein Block</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>a message has a log time in the far future</source>
+      <translation>eine Nachricht hat eine Log-Zeit in ferner Zukunft</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>{format} is a data set of many sessions. Give more than one session, or choose another format.</source>
       <translation>{format} ist ein Datensatz aus vielen Sitzungen. Geben Sie mehr als eine Sitzung an, oder wählen Sie ein anderes Format.</translation>
     </message>
@@ -11663,6 +11798,551 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>There is no "{name}" among the {kind:word}. Available: {known:list}; or enter the path of a file.</source>
       <translation>„{name}“ gibt es nicht ({kind:word}). Vorhanden: {known:list}; oder geben Sie den Pfad einer Datei an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} contains neither t nor a rate ({rates:list}).</source>
+      <translation>{path} enthält weder t noch eine Rate ({rates:list}).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} does not contain acc and gyr of an IMU.</source>
+      <translation>{path} enthält nicht acc und gyr einer IMU.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The IMUs in {path} have no samples, too many samples, or different numbers of samples.</source>
+      <translation>Die IMUs in {path} haben keine, zu viele oder unterschiedlich viele Messwerte.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{imu} in {path}: acc and gyr have different numbers of rows.</source>
+      <translation>{imu} in {path}: acc und gyr haben unterschiedlich viele Zeilen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} contains more than {most} numbers.</source>
+      <translation>{path} enthält mehr als {most} Zahlen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is a MATLAB file of version 7.3. Save it with -v7.</source>
+      <translation>{path} ist eine MATLAB-Datei der Version 7.3. Speichern Sie sie mit -v7.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is not a readable MATLAB file: {why}.</source>
+      <translation>{path} ist keine lesbare MATLAB-Datei: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path}: t has {times} rows, the IMUs have {samples}.</source>
+      <translation>{path}: t hat {times} Zeilen, die IMUs haben {samples}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path}: {name} is {rate_hz:g} Hz, which is not between 1 and 100 000 Hz.</source>
+      <translation>{path}: {name} ist {rate_hz:g} Hz und liegt nicht zwischen 1 und 100 000 Hz.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{what} is not a table of numbers of the expected shape.</source>
+      <translation>{what} ist keine Zahlentabelle der erwarteten Form.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is neither a .csv nor a .mat file.</source>
+      <translation>{path} ist weder eine .csv- noch eine .mat-Datei.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Assign the IMUs by --imu GLOVE=FILE. The files contain {found:list}; the glove has {imus:list}.</source>
+      <translation>Ordnen Sie die IMUs mit --imu GLOVE=FILE zu. Die Dateien enthalten {found:list}; der Handschuh hat {imus:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Only some of the files contain the time of day, so they cannot be combined.</source>
+      <translation>Nur manche der Dateien enthalten die Uhrzeit; sie lassen sich nicht zusammenführen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The files are longer than {limit_s:.0f} s, the longest that can be imported.</source>
+      <translation>Die Dateien sind länger als {limit_s:.0f} s, mehr lässt sich nicht importieren.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The files do not overlap in time. Check that they use the same clock.</source>
+      <translation>Die Dateien überlappen sich zeitlich nicht. Prüfen Sie, ob sie dieselbe Uhr verwenden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>More than one file contains {imus:list}.</source>
+      <translation>Mehr als eine Datei enthält {imus:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>There is no {file} in {folder} or its folders.</source>
+      <translation>In {folder} und ihren Unterordnern gibt es kein {file}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{imu}={name} names an unknown IMU. The files contain {found:list}; the glove has {imus:list}.</source>
+      <translation>{imu}={name} nennt eine unbekannte IMU. Die Dateien enthalten {found:list}; der Handschuh hat {imus:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} does not contain two samples at different, possible times.</source>
+      <translation>{file} enthält keine zwei Messwerte zu verschiedenen, möglichen Zeiten.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path}: the unit of {column} is unknown. Known units: {known:list}.</source>
+      <translation>{path}: Die Einheit von {column} ist unbekannt. Bekannte Einheiten: {known:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} has no time column with a unit, such as Time (s).</source>
+      <translation>{path} hat keine Zeitspalte mit Einheit, etwa Time (s).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} has no IMU column with a unit, such as Gyroscope X (deg/s).</source>
+      <translation>{path} hat keine Spalte einer IMU mit Einheit, etwa Gyroscope X (deg/s).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} contains no samples.</source>
+      <translation>{path} enthält keine Messwerte.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path}: {value:g} is not a time.</source>
+      <translation>{path}: {value:g} ist keine Zeit.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is not a text table: {why}.</source>
+      <translation>{path} ist keine Texttabelle: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path}: line {line} is too long for a table.</source>
+      <translation>{path}: Zeile {line} ist zu lang für eine Tabelle.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path}: line {line} has {cells} cells, the header has {columns}.</source>
+      <translation>{path}: Zeile {line} hat {cells} Zellen, die Kopfzeile hat {columns}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} has more than {most} lines.</source>
+      <translation>{path} hat mehr als {most} Zeilen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path}, line {line}: {cell} is not a number.</source>
+      <translation>{path}, Zeile {line}: {cell} ist keine Zahl.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The recording contains no frame that shows the whole hand.</source>
+      <translation>Die Aufnahme enthält kein Bild, das die ganze Hand zeigt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The hand {hand} has no {point}, which the recording contains.</source>
+      <translation>Die Hand {hand} hat kein {point}, das die Aufnahme enthält.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is not a motion file that can be read. Supported: .tsv (Qualisys), .npz (Leap) and .bvh.</source>
+      <translation>{path} ist keine lesbare Bewegungsdatei. Unterstützt werden .tsv (Qualisys), .npz (Leap) und .bvh.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} names fewer than six joints of a hand's fingers.</source>
+      <translation>{path} nennt weniger als sechs Fingergelenke einer Hand.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} has no MARKER_NAMES or FREQUENCY line, so it is not a Qualisys TSV file.</source>
+      <translation>{path} hat keine Zeile MARKER_NAMES oder FREQUENCY, ist also keine TSV-Datei von Qualisys.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} does not contain three columns for each of its markers.</source>
+      <translation>{path} enthält nicht drei Spalten je Marker.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} does not contain five fingers of four joints of one hand.</source>
+      <translation>{path} enthält nicht fünf Finger mit vier Gelenken einer Hand.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is not a readable BVH file: {why}.</source>
+      <translation>{path} ist keine lesbare BVH-Datei: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} contains a value that is not a number: {why}.</source>
+      <translation>{path} enthält einen Wert, der keine Zahl ist: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is not a decoded Leap recording: {why}.</source>
+      <translation>{path} ist keine dekodierte Leap-Aufnahme: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} contains only {frames} frames of a hand; 20 are required.</source>
+      <translation>{path} enthält nur {frames} Bilder einer Hand; nötig sind 20.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The times in {path} do not increase.</source>
+      <translation>Die Zeiten in {path} nehmen nicht zu.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} never shows six points of the hand at once.</source>
+      <translation>{path} zeigt nie sechs Punkte der Hand zugleich.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>a record in it is incomplete</source>
+      <translation>ein Datensatz darin ist unvollständig</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>its compression "{name}" is unknown</source>
+      <translation>seine Kompression „{name}“ ist unbekannt</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>its header declares {size_bytes} bytes</source>
+      <translation>sein Kopf gibt {size_bytes} Bytes an</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>its size differs from its header</source>
+      <translation>seine Größe weicht vom Kopf ab</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>its checksum is wrong</source>
+      <translation>seine Prüfsumme ist falsch</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>it unpacks to more messages than a recording can contain</source>
+      <translation>er entpackt sich zu mehr Nachrichten, als eine Aufnahme enthalten kann</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>its offset is invalid</source>
+      <translation>seine Position ist ungültig</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>there is no header</source>
+      <translation>ein Kopf fehlt</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>its text is too long</source>
+      <translation>sein Text ist zu lang</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>an array has an unknown type or shape</source>
+      <translation>ein Feld hat einen unbekannten Typ oder eine unbekannte Form</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>an array is longer than the data</source>
+      <translation>ein Feld ist länger als die Daten</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>a number has an unknown type</source>
+      <translation>eine Zahl hat einen unbekannten Typ</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>"{name}" is not a record</source>
+      <translation>„{name}“ ist kein Datensatz</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>an array is missing</source>
+      <translation>ein Feld fehlt</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>it has no HIERARCHY and MOTION</source>
+      <translation>es fehlen HIERARCHY und MOTION</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>its MOTION part does not begin with Frames and Frame Time</source>
+      <translation>der Teil MOTION beginnt nicht mit Frames und Frame Time</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>it does not have one number for each channel</source>
+      <translation>es gibt nicht eine Zahl je Kanal</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is a file. Name a folder for the results of several sessions.</source>
+      <translation>{path} ist eine Datei. Geben Sie für die Ergebnisse mehrerer Sitzungen einen Ordner an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} does not contain the side of its hand.</source>
+      <translation>{file} enthält die Seite der Hand nicht.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} is for the hand {hand} with the glove {glove}, which the session does not contain.</source>
+      <translation>{file} gilt für die Hand {hand} mit dem Handschuh {glove}, die die Sitzung nicht enthält.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{files:words} are for the same hand. Give one file for each hand.</source>
+      <translation>{files:words} gelten für dieselbe Hand. Geben Sie für jede Hand eine Datei an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{files:words} are for the same side. Give one file for each hand.</source>
+      <translation>{files:words} gelten für dieselbe Seite. Geben Sie für jede Hand eine Datei an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{files:words}: the session contains one hand. Give one file.</source>
+      <translation>{files:words}: Die Sitzung enthält nur eine Hand. Geben Sie eine Datei an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{failed} of {count} sessions could not be tracked.</source>
+      <translation>{failed} von {count} Sitzungen konnten nicht getrackt werden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A part must start before it ends, within the {duration_s:.2f} s of {file}.</source>
+      <translation>Ein Ausschnitt muss beginnen, bevor er endet, und innerhalb der {duration_s:.2f} s von {file} liegen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No gap of {file} could be filled: {why:word}.</source>
+      <translation>In {file} ließ sich keine Lücke füllen: {why:word}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The longest gap to fill must be greater than 0 s, not {max_gap_s:g} s.</source>
+      <translation>Die längste zu füllende Lücke muss größer als 0 s sein, nicht {max_gap_s:g} s.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} has no gap of the {side:word} {part} from {start_s:.3f} s to {stop_s:.3f} s. List its gaps again.</source>
+      <translation>{file} hat keine Lücke von {part} ({side:word}) von {start_s:.3f} s bis {stop_s:.3f} s. Listen Sie die Lücken neu auf.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is not a list written by glovetrack gaps --json.</source>
+      <translation>{path} ist keine Liste, die glovetrack gaps --json geschrieben hat.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The recording contains no IMU samples.</source>
+      <translation>Die Aufnahme enthält keine Messwerte von IMUs.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The longest rest in the recording is {rest_s:.0f} s; at least {least_s:.0f} s are required, 10 minutes are recommended. Put the glove on a table and do not touch it.</source>
+      <translation>Die längste Ruhe in der Aufnahme dauert {rest_s:.0f} s; nötig sind mindestens {least_s:.0f} s, empfohlen 10 Minuten. Legen Sie den Handschuh auf einen Tisch und berühren Sie ihn nicht.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The IMU {imu} is missing in {missing_percent:.0f} % of the rest.</source>
+      <translation>Die IMU {imu} fehlt in {missing_percent:.0f} % der Ruhe.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove file has no IMU {names:list}.</source>
+      <translation>Die Handschuhdatei hat keine IMU {names:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A profile contains the length of the hand. Leave out --hand-length.</source>
+      <translation>Ein Profil enthält die Länge der Hand. Lassen Sie --hand-length weg.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The scene {scene} requires a camera that does not move.</source>
+      <translation>Die Szene {scene} braucht eine Kamera, die sich nicht bewegt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Both hands are simulated with random postures in front of a fixed camera. Leave out --motion, --guided, --hand, --camera and --lenses none.</source>
+      <translation>Beide Hände werden mit zufälligen Haltungen vor einer festen Kamera simuliert. Lassen Sie --motion, --guided, --hand, --camera und --lenses none weg.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Smoothing requires the engine chain, not {engine}.</source>
+      <translation>Glätten erfordert den Schätzer chain, nicht {engine}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Smoothing requires both lenses. Leave out --smooth or --lenses.</source>
+      <translation>Glätten erfordert beide Objektive. Lassen Sie --smooth oder --lenses weg.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} changes its camera calibration; --smooth requires a single one.</source>
+      <translation>{path} wechselt die Kamerakalibrierung; --smooth braucht eine einzige.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{why} Use the default settings: --settings default.</source>
+      <translation>{why} Verwenden Sie die Standardeinstellungen: --settings default.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The simulator has no fabric of the hue "{hue}". Available: {known:list}.</source>
+      <translation>Der Simulator hat keinen Stoff im Farbton „{hue}“. Vorhanden: {known:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The desk requires a camera on a stand, not on the head.</source>
+      <translation>Der Schreibtisch braucht eine Kamera auf einem Stativ, nicht auf dem Kopf.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>--light requires the scene desk, not {scene}.</source>
+      <translation>--light erfordert die Szene desk, nicht {scene}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The scene photo requires an image (--photo); other scenes have none.</source>
+      <translation>Die Szene photo braucht ein Bild (--photo); andere Szenen haben keines.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>There is no show "{name}". Available: {known:list}.</source>
+      <translation>Eine Vorführung „{name}“ gibt es nicht. Vorhanden: {known:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Two hands can be simulated in the scenes plain, painted and photo.</source>
+      <translation>Zwei Hände lassen sich in den Szenen plain, painted und photo simulieren.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} has no gap to fill ({kinds:list}).</source>
+      <translation>{file} hat keine Lücke, die zu füllen ist ({kinds:list}).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>All {count} gaps of {file} that could be filled are longer than {max_gap_s:g} s. Choose a longer --max-gap.</source>
+      <translation>Alle {count} füllbaren Lücken von {file} sind länger als {max_gap_s:g} s. Wählen Sie ein größeres --max-gap.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No gap of {file} has estimates on both sides.</source>
+      <translation>Keine Lücke von {file} hat auf beiden Seiten Schätzungen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} contains no images, so other colours cannot be used.</source>
+      <translation>{path} enthält keine Bilder; andere Farben lassen sich daher nicht verwenden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} contains neither detected markers nor images.</source>
+      <translation>{path} enthält weder erkannte Marker noch Bilder.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{option} can be {known:or}, not "{value}".</source>
+      <translation>{option} kann {known:or} sein, nicht „{value}“.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{option} must be between {low} and {high}.</source>
+      <translation>{option} muss zwischen {low} und {high} liegen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The command {command} requires packages that are not installed ({why}). Install them: pip install "glovetrack[{extra}]".</source>
+      <translation>Der Befehl {command} braucht Pakete, die nicht installiert sind ({why}). Installieren Sie sie: pip install "glovetrack[{extra}]".</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A cluster requires Dask. Install glovetrack[cluster].</source>
+      <translation>Ein Cluster braucht Dask. Installieren Sie glovetrack[cluster].</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No Dask scheduler responds at {address}.</source>
+      <translation>Unter {address} antwortet kein Scheduler von Dask.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The work was stopped.</source>
+      <translation>Die Arbeit wurde abgebrochen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>There is no check {names:list}. Available: {known:list}.</source>
+      <translation>Es gibt keine Prüfung {names:list}. Vorhanden: {known:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{options:words} must be given together.</source>
+      <translation>{options:words} müssen zusammen angegeben werden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{option} requires {needed}.</source>
+      <translation>{option} erfordert {needed}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{option} must be at least {least}.</source>
+      <translation>{option} muss mindestens {least} sein.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{options:words} cannot be used together.</source>
+      <translation>{options:words} lassen sich nicht zusammen verwenden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{option} must be greater than 0.</source>
+      <translation>{option} muss größer als 0 sein.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Specify exactly one of {options:list}.</source>
+      <translation>Geben Sie genau eines davon an: {options:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{option} requires packages that are not installed. Install them: pip install "glovetrack[{extra}]".</source>
+      <translation>{option} braucht Pakete, die nicht installiert sind. Installieren Sie sie: pip install "glovetrack[{extra}]".</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The report is an HTML page: {file} must end in .html.</source>
+      <translation>Der Bericht ist eine HTML-Seite: {file} muss auf .html enden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No commands are registered, because the installation is incomplete or older than the program. Install Glovetrack again.</source>
+      <translation>Es sind keine Befehle registriert: Die Installation ist unvollständig oder älter als das Programm. Installieren Sie Glovetrack erneut.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -11961,6 +12641,346 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>{path} contains more than {limit_mb} MB.</source>
+      <translation>{path} enthält mehr als {limit_mb} MB.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The {kind} {what} has no option "{option}". Options: {known:list}.</source>
+      <translation>{what} {kind} hat keine Option „{option}“. Optionen: {known:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>"{value}" is not a value for {option} of the {kind} {what}.</source>
+      <translation>„{value}“ ist kein Wert für {option} von {what} {kind}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The schema of JSON messages can be {known}, not {schema}.</source>
+      <translation>Das Schema der JSON-Nachrichten kann {known} sein, nicht {schema}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The stream is of another hand or another version.</source>
+      <translation>Der Stream gehört zu einer anderen Hand oder einer anderen Version.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The stream contains a message that is not from Glovetrack: {why}.</source>
+      <translation>Der Stream enthält eine Nachricht, die nicht von Glovetrack stammt: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No window responds at {host}:{port}: {why}. Check that remote control by UDP is on.</source>
+      <translation>Unter {host}:{port} antwortet kein Fenster: {why}. Prüfen Sie, ob die Fernsteuerung über UDP eingeschaltet ist.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The {what} is closed.</source>
+      <translation>{what} ist geschlossen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The program at the other end of {address} does not belong to you. End it, or ask your administrator to, then start again.</source>
+      <translation>Das Programm am anderen Ende von {address} gehört nicht Ihnen. Beenden Sie es, oder bitten Sie die Administration darum, und starten Sie dann erneut.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The program that listens at {address} belongs to another user (id {uid}). Remove that file, or set XDG_RUNTIME_DIR to a folder of your own, then start again.</source>
+      <translation>Das Programm, das unter {address} wartet, gehört einer anderen Person (id {uid}). Löschen Sie diese Datei, oder setzen Sie XDG_RUNTIME_DIR auf einen eigenen Ordner, und starten Sie dann erneut.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{folder} is used for the window's socket and must be a folder of your own that no other user can enter (mode 0700). Remove it, or set XDG_RUNTIME_DIR to a folder of your own, then start again.</source>
+      <translation>{folder} wird für den Socket des Fensters gebraucht und muss ein eigener Ordner sein, den sonst niemand betreten kann (Modus 0700). Löschen Sie ihn, oder setzen Sie XDG_RUNTIME_DIR auf einen eigenen Ordner, und starten Sie dann erneut.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} cannot be used: {why}.</source>
+      <translation>{path} kann nicht verwendet werden: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The program that listens at the address of Glovetrack is not a Glovetrack window. Close it, then start Glovetrack again.</source>
+      <translation>Das Programm, das unter der Adresse von Glovetrack wartet, ist kein Fenster von Glovetrack. Schließen Sie es, und starten Sie Glovetrack dann erneut.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} cannot be created: {why}.</source>
+      <translation>{path} kann nicht angelegt werden: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file}: {key} {why}.</source>
+      <translation>{file}: {key} {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No window is open. Open one with glovetrack.</source>
+      <translation>Es ist kein Fenster geöffnet. Öffnen Sie eines mit glovetrack.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{stream}: {why}.</source>
+      <translation>{stream}: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{stream}: not connected.</source>
+      <translation>{stream}: nicht verbunden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{stream}: no connection ({why}).</source>
+      <translation>{stream}: keine Verbindung ({why}).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>is missing</source>
+      <translation>fehlt</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>must be a text</source>
+      <translation>muss ein Text sein</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>is "{value}"; it must be {known:or}</source>
+      <translation>ist „{value}“; möglich ist {known:or}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>has the name "{name}"; a name is a letter, followed by at most 63 letters, digits, _ and -</source>
+      <translation>hat den Namen „{name}“; ein Name ist ein Buchstabe, gefolgt von höchstens 63 Buchstaben, Ziffern, _ und -</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>is "{label}"; a label has at most 64 printable characters and no comma</source>
+      <translation>ist „{label}“; eine Bezeichnung hat höchstens 64 druckbare Zeichen und kein Komma</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>must be an integer</source>
+      <translation>muss eine ganze Zahl sein</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>is too large</source>
+      <translation>ist zu groß</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>must be a number</source>
+      <translation>muss eine Zahl sein</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>must be a finite number</source>
+      <translation>muss eine endliche Zahl sein</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>is {value:g}; it must be between {low:g} and {high:g}</source>
+      <translation>ist {value:g}; möglich ist {low:g} bis {high:g}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>must be a list of {count} numbers</source>
+      <translation>muss eine Liste von {count} Zahlen sein</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>has length {norm:.4g}; it must be 1 within {tolerance:g}</source>
+      <translation>hat die Länge {norm:.4g}; sie muss bis auf {tolerance:g} gleich 1 sein</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>must be a list that contains only {known:or}</source>
+      <translation>muss eine Liste sein, die nur {known:or} enthält</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>contains a value twice</source>
+      <translation>enthält einen Wert zweimal</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>must be a table</source>
+      <translation>muss eine Tabelle sein</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>must be written as [[{key}]] tables</source>
+      <translation>muss in Tabellen [[{key}]] geschrieben sein</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>has {count} tables; at most {most} are allowed</source>
+      <translation>hat {count} Tabellen; erlaubt sind höchstens {most}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>is not a known key</source>
+      <translation>ist kein bekannter Schlüssel</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>must be a text or a list of texts</source>
+      <translation>muss ein Text oder eine Liste von Texten sein</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>is not {expected}; this version cannot read the file</source>
+      <translation>ist nicht {expected}; diese Version kann die Datei nicht lesen</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>is {side:word}, but the hand {hand} is a {hand_side:word} hand</source>
+      <translation>ist {side:word}, die Hand {hand} aber {hand_side:word}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>must have the ids 0 to {last}</source>
+      <translation>muss die Nummern 0 bis {last} haben</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>repeats the name "{name}" of the skeleton</source>
+      <translation>wiederholt den Namen „{name}“ des Skeletts</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>contains the unknown segment "{segment}"</source>
+      <translation>enthält das unbekannte Segment „{segment}“</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>does not contain {root}</source>
+      <translation>enthält {root} nicht</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>must be [lower, upper]</source>
+      <translation>muss [unten, oben] sein</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>is {length_m:g} m, but {segments:words} add up to {sum_m:.4g} m</source>
+      <translation>ist {length_m:g} m, aber {segments:words} ergeben zusammen {sum_m:.4g} m</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>gives {segment} the unknown parent "{parent}"</source>
+      <translation>gibt {segment} das unbekannte übergeordnete Segment „{parent}“</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>contains a loop through {names:list}</source>
+      <translation>enthält eine Schleife über {names:list}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>defines two joints for {segment}</source>
+      <translation>legt für {segment} zwei Gelenke fest</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>may contain abduction only where abduction is free and twist is not</source>
+      <translation>darf abduction nur enthalten, wo die Abduktion frei ist und die Torsion nicht</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>contains the unknown angle "{angle}"</source>
+      <translation>enthält den unbekannten Winkel „{angle}“</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>must contain at least one hue</source>
+      <translation>muss mindestens einen Farbton enthalten</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>is damaged: it must be base64 of zlib data</source>
+      <translation>ist beschädigt: Erwartet wird Base64 von zlib-Daten</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>must contain {expected} bytes</source>
+      <translation>muss {expected} Bytes enthalten</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>refers to a hue beyond the {hues} hues of the file</source>
+      <translation>verweist auf einen Farbton jenseits der {hues} Farbtöne der Datei</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>must be two integers</source>
+      <translation>muss aus zwei ganzen Zahlen bestehen</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>must be between {low:g} and {high:g}</source>
+      <translation>muss zwischen {low:g} und {high:g} liegen</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>must contain the smaller number first</source>
+      <translation>muss die kleinere Zahl zuerst enthalten</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>must be two numbers of at least 0, the smaller one first</source>
+      <translation>muss aus zwei Zahlen ab 0 bestehen, die kleinere zuerst</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>contains "{name}" twice</source>
+      <translation>enthält „{name}“ zweimal</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>has two IMUs on {segment}</source>
+      <translation>hat zwei IMUs auf {segment}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>is not a setting</source>
+      <translation>ist keine Einstellung</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>must be of the type {type}</source>
+      <translation>muss vom Typ {type} sein</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>is a number of {digits} digits</source>
+      <translation>ist eine Zahl mit {digits} Ziffern</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>has more than {most} parts</source>
+      <translation>hat mehr als {most} Teile</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>is nested more than {most} deep</source>
+      <translation>ist mehr als {most}-fach verschachtelt</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>and accel_sd must not be negative</source>
+      <translation>und accel_sd dürfen nicht negativ sein</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>must be within {limit:g} of the identity matrix</source>
+      <translation>darf höchstens {limit:g} von der Einheitsmatrix abweichen</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>That is not a command for an arm: {why}.</source>
       <translation>Das ist kein Befehl für einen Arm: {why}.</translation>
     </message>
@@ -12008,6 +13028,166 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>{name} refers to points that it does not have, or that are not finite.</source>
       <translation>{name} verweist auf Punkte, die es nicht hat oder die nicht endlich sind.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A setting is KEY=VALUE, not "{text}".</source>
+      <translation>Eine Einstellung hat die Form KEY=VALUE, nicht „{text}“.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} contains no application.</source>
+      <translation>{path} enthält keine Anwendung.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A live stream is udp, udp:PORT or ws://HOST:PORT, not "{address}".</source>
+      <translation>Ein Live-Stream ist udp, udp:PORT oder ws://HOST:PORT, nicht „{address}“.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No hand was received at {where} within {wait_s:.0f} s.</source>
+      <translation>An {where} ist innerhalb von {wait_s:.0f} s keine Hand angekommen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} contains no {side:word} hand.</source>
+      <translation>{path} enthält keine Hand {side:word}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No program responds at {address}: {why}.</source>
+      <translation>Unter {address} antwortet kein Programm: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Specify a file for the Isaac record: isaac:take.mcap.</source>
+      <translation>Geben Sie eine Datei für den Isaac-Datensatz an: isaac:take.mcap.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is not an MCAP file, or it is truncated.</source>
+      <translation>{path} ist keine MCAP-Datei oder ist abgeschnitten.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A hand record is damaged.</source>
+      <translation>Ein Datensatz einer Hand ist beschädigt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{name} contains no hand records.</source>
+      <translation>{name} enthält keine Datensätze einer Hand.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} contains no records of these hands: {sides:words}.</source>
+      <translation>{path} enthält keine Datensätze dieser Hände: {sides:words}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove {glove} is for the {side:word} hand.</source>
+      <translation>Der Handschuh {glove} gilt für die Hand {side:word}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The Isaac record requires the joints of OpenXR.</source>
+      <translation>Der Isaac-Datensatz braucht die Gelenke von OpenXR.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is not a list of labelled steps.</source>
+      <translation>{path} ist keine Liste beschrifteter Schritte.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>--pairs must be at least 1, --seconds at least 4, and --fps between 5 and 240.</source>
+      <translation>--pairs muss mindestens 1 sein, --seconds mindestens 4 und --fps zwischen 5 und 240.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{folder} contains no BROAD recordings (*.mat).</source>
+      <translation>{folder} enthält keine BROAD-Aufnahmen (*.mat).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is not a recording of the BROAD data set: {why}.</source>
+      <translation>{path} ist keine Aufnahme des Datensatzes BROAD: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>This protocol requires the extension extensions/robot.</source>
+      <translation>Dieses Protokoll braucht die Erweiterung extensions/robot.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>--participants must be at least 1, --seconds at least 5, and --readout-ms greater than 0 and at most 50.</source>
+      <translation>--participants muss mindestens 1 sein, --seconds mindestens 5 und --readout-ms größer als 0 und höchstens 50.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Unknown {what}: "{name}". Available: {known:list}.</source>
+      <translation>Unbekannt ({what}): „{name}“. Vorhanden: {known:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Only the engine inertial can be evaluated without a camera.</source>
+      <translation>Ohne Kamera lässt sich nur der Schätzer inertial auswerten.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The engine inertial does not use images. Add --lenses none.</source>
+      <translation>Der Schätzer inertial verwendet keine Bilder. Ergänzen Sie --lenses none.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The engine {engine} requires both lenses. Add --engines chain.</source>
+      <translation>Der Schätzer {engine} braucht beide Objektive. Ergänzen Sie --engines chain.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Only the engine chain uses a wearer's profile. Add --engines chain.</source>
+      <translation>Nur der Schätzer chain verwendet das Profil einer Person. Ergänzen Sie --engines chain.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The report could not be written: {why}.</source>
+      <translation>Der Bericht konnte nicht geschrieben werden: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{folder} contains trials of another version of the program, which cannot be combined with new ones. Choose another folder, or empty it.</source>
+      <translation>{folder} enthält Versuche einer anderen Programmversion; sie lassen sich nicht mit neuen zusammenführen. Wählen Sie einen anderen Ordner, oder leeren Sie ihn.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The stored trial {path} is damaged. Delete it to compute it again.</source>
+      <translation>Der gespeicherte Versuch {path} ist beschädigt. Löschen Sie ihn, damit er neu berechnet wird.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>--participants must be at least 1, and --seconds at least 5.</source>
+      <translation>--participants muss mindestens 1 sein und --seconds mindestens 5.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>There is no channel {channel}.</source>
+      <translation>Es gibt keinen Kanal {channel}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Subscription {subscription} to channel {channel} is a second one.</source>
+      <translation>Das Abonnement {subscription} des Kanals {channel} ist ein zweites.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The message is invalid: {why}.</source>
+      <translation>Die Nachricht ist ungültig: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Glovetrack has no operation "{operation}".</source>
+      <translation>Glovetrack hat keine Operation „{operation}“.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -12088,6 +13268,146 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>An image is damaged.</source>
       <translation>Ein Bild ist beschädigt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{first} and {other} differ in their {what:word}, which must be the same for all episodes. Export them one by one, or leave the difference out (--images none).</source>
+      <translation>{first} und {other} unterscheiden sich ({what:word}); bei allen Episoden muss das gleich sein. Exportieren Sie sie einzeln, oder lassen Sie den Unterschied weg (--images none).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No C++ compiler was found. Install one; on Debian: apt-get install g++</source>
+      <translation>Es wurde kein C++-Compiler gefunden. Installieren Sie einen; unter Debian: apt-get install g++</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The headers of OpenXR were not found. Install them; on Debian: apt-get install libopenxr-dev</source>
+      <translation>Die Header von OpenXR wurden nicht gefunden. Installieren Sie sie; unter Debian: apt-get install libopenxr-dev</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} cannot be compiled: {why}</source>
+      <translation>{file} lässt sich nicht übersetzen: {why}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The hand lacks joints that OpenXR requires: {joints}.</source>
+      <translation>Der Hand fehlen Gelenke, die OpenXR verlangt: {joints}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} cannot be created: another program removes it repeatedly.</source>
+      <translation>{path} kann nicht angelegt werden: Ein anderes Programm löscht es immer wieder.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The OpenXR layer requires Linux or Windows.</source>
+      <translation>Die OpenXR-Schicht braucht Linux oder Windows.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} belongs to another user.</source>
+      <translation>{path} gehört einer anderen Person.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Another Glovetrack already sends its hand to OpenXR.</source>
+      <translation>Ein anderes Glovetrack sendet seine Hand schon an OpenXR.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>OpenXR has only one {side:word} hand.</source>
+      <translation>OpenXR hat nur eine Hand {side:word}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The OpenXR layer is not part of this installation. In a checkout, run make openxr-layer.</source>
+      <translation>Die OpenXR-Schicht gehört nicht zu dieser Installation. Führen Sie in einem Checkout make openxr-layer aus.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The OpenXR layer cannot be registered: {why}.</source>
+      <translation>Die OpenXR-Schicht kann nicht registriert werden: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The OpenXR layer cannot be unregistered: {why}.</source>
+      <translation>Die OpenXR-Schicht kann nicht abgemeldet werden: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The OSC addresses are {addresses}.</source>
+      <translation>Die OSC-Adressen sind {addresses}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{address} has {expected} values, not {found}.</source>
+      <translation>{address} hat {expected} Werte, nicht {found}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>This is not an OSC message: {why}.</source>
+      <translation>Das ist keine OSC-Nachricht: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>An OSC message was expected: {why}.</source>
+      <translation>Erwartet wurde eine OSC-Nachricht: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>an OSC address begins with a slash</source>
+      <translation>eine OSC-Adresse beginnt mit einem Schrägstrich</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>the OSC type tags are missing</source>
+      <translation>die OSC-Typkennungen fehlen</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>the OSC bundle is truncated</source>
+      <translation>das OSC-Bündel ist abgeschnitten</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>the OSC bundle contains more than one message</source>
+      <translation>das OSC-Bündel enthält mehr als eine Nachricht</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>the OSC type "{tag}" is unknown, or its value is truncated</source>
+      <translation>der OSC-Typ „{tag}“ ist unbekannt, oder sein Wert ist abgeschnitten</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>an OSC text has no end</source>
+      <translation>ein OSC-Text hat kein Ende</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>an OSC text is not UTF-8</source>
+      <translation>ein OSC-Text ist nicht UTF-8</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>the OSC bundles are nested too deeply</source>
+      <translation>die OSC-Bündel sind zu tief verschachtelt</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>a pose requires {count} numbers</source>
+      <translation>eine Lage braucht {count} Zahlen</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>a pose contains numbers that are not finite</source>
+      <translation>eine Lage enthält Zahlen, die nicht endlich sind</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>a quaternion is not of unit length</source>
+      <translation>ein Quaternion hat nicht die Länge 1</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -12231,6 +13551,16 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>or else rate must be given, not both</source>
+      <translation>oder rate muss angegeben sein, nicht beides</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>must be a list of its three columns x, y and z</source>
+      <translation>muss eine Liste der drei Spalten x, y und z sein</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>The robot hand {file} is larger than {limit_bytes} bytes.</source>
       <translation>Die Roboterhand {file} ist größer als {limit_bytes} Byte.</translation>
     </message>
@@ -12348,6 +13678,31 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>The robot's process has ended. Start the robot again.</source>
       <translation>Der Prozess des Roboters ist beendet. Starten Sie den Roboter neu.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>--send requires HOST:PORT, not "{target}".</source>
+      <translation>--send verlangt HOST:PORT, nicht „{target}“.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Invalid address "{address}". Use a UDP port or ws://HOST:PORT.</source>
+      <translation>Ungültige Adresse „{address}“. Verwenden Sie einen UDP-Port oder ws://HOST:PORT.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Port {port} cannot be opened: {why}.</source>
+      <translation>Port {port} lässt sich nicht öffnen: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} does not contain the initial state of its robot {robot}.</source>
+      <translation>{path} enthält den Anfangszustand seines Roboters {robot} nicht.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} does not contain a robot. Asked for: {robot}.</source>
+      <translation>{path} enthält keinen Roboter. Gefragt war: {robot}.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -12546,6 +13901,66 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>is missing: a study has at least one condition</source>
+      <translation>fehlt: Eine Studie hat mindestens eine Bedingung</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>is not part of any condition</source>
+      <translation>kommt in keiner Bedingung vor</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>is missing: give a number or a list of labels</source>
+      <translation>fehlt: Geben Sie eine Anzahl oder eine Liste von Bezeichnungen an</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>contains a task twice; use trials instead</source>
+      <translation>enthält eine Aufgabe zweimal; verwenden Sie trials</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>is {drawn}, but there are {count} things</source>
+      <translation>ist {drawn}, vorhanden sind aber {count} Dinge</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>requires things_drawn: how many things a trial uses</source>
+      <translation>erfordert things_drawn: wie viele Dinge ein Durchgang verwendet</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>requires a duration</source>
+      <translation>erfordert eine Dauer</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>leaves no time for cues</source>
+      <translation>lässt keine Zeit für Hinweise</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>contains the picture "{picture}", which is outside its folder</source>
+      <translation>enthält das Bild „{picture}“, das außerhalb des Ordners liegt</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>contains the picture "{picture}", which does not exist</source>
+      <translation>enthält das Bild „{picture}“, das es nicht gibt</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>contains "{task}", which is not a task. Known tasks: {known}</source>
+      <translation>enthält „{task}“, das ist keine Aufgabe. Bekannte Aufgaben: {known}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>contains "{label}", which is not a label: use 1 to 32 letters and digits</source>
+      <translation>enthält „{label}“, das ist keine Bezeichnung: Verwenden Sie 1 bis 32 Buchstaben und Ziffern</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>No image shows the sheet of the touch test. Print it with: glovetrack print touch. Record with images, with the whole sheet in view.</source>
       <translation>Kein Bild zeigt das Blatt des Berührungstests. Drucken Sie es mit: glovetrack print touch. Nehmen Sie mit Bildern auf; das ganze Blatt muss im Bild sein.</translation>
     </message>
@@ -12636,6 +14051,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>--ruler must be 240 to 280 mm. Measure the printed line of 260 mm.</source>
+      <translation>--ruler muss 240 bis 280 mm sein. Messen Sie die gedruckte Linie von 260 mm.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>{stream}: received. VMT {version} responds.</source>
       <translation>{stream}: empfangen. VMT {version} antwortet.</translation>
     </message>
@@ -12648,6 +14068,31 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>{stream}: no program reads the terminal. Open it as a serial port.</source>
       <translation>{stream}: Kein Programm liest das Terminal. Öffnen Sie es als seriellen Anschluss.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>There is no gesture "{name}". Available: {known}.</source>
+      <translation>Eine Geste „{name}“ gibt es nicht. Vorhanden: {known}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{address} has an index, a frequency, an amplitude and a duration.</source>
+      <translation>{address} hat einen Index, eine Frequenz, eine Amplitude und eine Dauer.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>There is no finger "{name}". Available: {known}, {all}.</source>
+      <translation>Einen Finger „{name}“ gibt es nicht. Vorhanden: {known}, {all}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>This system has no pseudo-terminals.</source>
+      <translation>Dieses System hat keine Pseudoterminals.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The link {link} cannot be created: {why}.</source>
+      <translation>Die Verknüpfung {link} kann nicht angelegt werden: {why}.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -12738,6 +14183,41 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>colours</source>
       <translation>Farben</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>cameras</source>
+      <translation>Kameras</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>robots</source>
+      <translation>Roboter</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>the camera</source>
+      <translation>der Kamera</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>both cameras</source>
+      <translation>beiden Kameras</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>too long</source>
+      <translation>zu lang</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>nothing before or after it</source>
+      <translation>davor oder danach liegt nichts</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>its ends or the sensors are not known</source>
+      <translation>ihre Enden oder die Sensorwerte sind nicht bekannt</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import glovetrack
+from tests.notices import raises
 
 pytestmark = pytest.mark.timeout(600)
 ENOUGH = 60  # estimates
@@ -48,14 +49,14 @@ def test_both_hands_without_a_camera_come_in_one_stream() -> None:
             if len(sides) == 2 or n > 500:
                 break
         assert sides == {"left", "right"}
-        with pytest.raises(glovetrack.ConfigError, match="Specify the side"):
+        with raises(glovetrack.ConfigError, "api.two_hands"):
             live.latest()
         assert live.latest("left") is not None
     live.close()  # again
 
 
 def test_missing_devices_are_reported(tmp_path: Path) -> None:
-    with pytest.raises(glovetrack.DeviceError, match="No glove found"):
+    with raises(glovetrack.DeviceError, "glove.not_at_port"):
         glovetrack.LiveTracker.from_devices(str(tmp_path / "ttyUSB9"))
-    with pytest.raises(glovetrack.ConfigError, match="Hands can be"):
+    with raises(glovetrack.ConfigError, "option.choice", option="hands", value="three"):
         glovetrack.LiveTracker.simulated(hands="three")

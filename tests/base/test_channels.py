@@ -29,7 +29,7 @@ def test_backlog_discards_the_oldest_and_counts() -> None:
     assert [queue.get() for _ in range(3)] == [2, 3, 4]
     with pytest.raises(Closed):
         queue.get()
-    with pytest.raises(ValueError, match="at least 1"):
+    with pytest.raises(ValueError, match="size"):
         Backlog(0)
 
 
@@ -40,7 +40,7 @@ def test_fifo_rejects_values_when_full() -> None:
     assert queue.fill == 1.0
     assert queue.drain() == [0, 1, 2]
     assert queue.get() is None
-    with pytest.raises(ValueError, match="at least 1"):
+    with pytest.raises(ValueError, match="size"):
         Fifo(0)
 
 

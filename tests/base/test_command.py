@@ -12,7 +12,7 @@ from typing import Literal
 
 import pytest
 
-from tests.notices import raises
+from tests.notices import raises, shows
 from tracker.base import registry
 from tracker.base.arguments import add_options, argument, options_of
 from tracker.base.command import COMMANDS, Command, UsageError
@@ -131,7 +131,7 @@ def test_a_missing_package_is_named_with_its_extra(
     others: None, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["lacks"]) == 1
-    assert 'pip install "glovetrack[robot]"' in capsys.readouterr().err
+    assert shows(capsys.readouterr().err, "command.packages", extra="robot")
 
 
 def test_a_command_whose_module_was_removed_is_absent(
@@ -139,7 +139,7 @@ def test_a_command_whose_module_was_removed_is_absent(
 ) -> None:
     assert main(["gone"]) == 1
     (line,) = capsys.readouterr().err.splitlines()
-    assert line.startswith("glovetrack: The command gone cannot be loaded")
+    assert shows(line, "part.not_loaded", name="gone")
     with pytest.raises(SystemExit) as ended:
         main(["--help"])
     assert ended.value.code == 0
@@ -156,7 +156,7 @@ def test_an_incomplete_installation_is_reported(
 ) -> None:
     monkeypatch.setattr(registry, "_entries", lambda group, path: {})
     assert main(["info", "a.mcap"]) == 1
-    assert "Install Glovetrack again" in capsys.readouterr().err
+    assert shows(capsys.readouterr().err, "command.none")
 
 
 def test_a_command_imports_no_other_command_s_modules() -> None:

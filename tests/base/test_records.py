@@ -35,7 +35,7 @@ def test_a_new_field_has_its_default_in_old_recordings() -> None:
 
     known = record_of(Glove)
     assert known is not None and known.make({"imus": 7}) == Glove(7)
-    with pytest.raises(ValueError, match="lacks imus"):
+    with pytest.raises(ValueError, match="imus"):
         known.make({"rate": 50.0})
 
 
@@ -47,7 +47,7 @@ def test_only_removed_fields_are_ignored() -> None:
 
     known = record_of(Point)
     assert known is not None and known.make({"u": 2.0, "w": 9.0}) == Point(2.0, 1.0)
-    with pytest.raises(ValueError, match="no x"):
+    with pytest.raises(ValueError, match=r"\bx$"):
         known.make({"u": 2.0, "x": 1.0})
 
 

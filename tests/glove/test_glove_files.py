@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from tests.fixtures import RESOURCES
+from tests.notices import raises
 from tracker.base.errors import FileError
 from tracker.glove.files import parse_glove
 from tracker.glove.model import GloveModel
@@ -27,21 +28,21 @@ def test_markers_are_on_the_surface(hand: HandModel, glove: GloveModel) -> None:
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "words"),
+    ("old", "new", "code"),
     [
-        ("normal = [0.0, 0.0, 1]", "normal = [0.0, 0.0, 1.1]", "length 1.1"),
-        ("id = 1\n", "id = 0\n", "twice"),
-        ("id = 36\n", "id = 40\n", "ids 0 to 36"),
-        ('segment = "dorsum"', 'segment = "elbow"', "one of"),
-        ('shape = "circle"', 'shape = "star"', "circle, square"),
-        ("position = [0.045", "position = [inf", "finite"),
-        ('side = "right"', 'side = "left"', "right one"),
-        ("[keypoints.dorsum]", "[keypoints.wrist]", "which the skeleton has"),
+        ("normal = [0.0, 0.0, 1]", "normal = [0.0, 0.0, 1.1]", "toml.norm"),
+        ("id = 1\n", "id = 0\n", "glove.file_twice"),
+        ("id = 36\n", "id = 40\n", "toml.ids"),
+        ('segment = "dorsum"', 'segment = "elbow"', "toml.choice"),
+        ('shape = "circle"', 'shape = "star"', "toml.choice"),
+        ("position = [0.045", "position = [inf", "toml.finite"),
+        ('side = "right"', 'side = "left"', "glove.file_side"),
+        ("[keypoints.dorsum]", "[keypoints.wrist]", "glove.file_name_taken"),
     ],
 )
-def test_an_invalid_file_is_rejected(hand: HandModel, old: str, new: str, words: str) -> None:
+def test_an_invalid_file_is_rejected(hand: HandModel, old: str, new: str, code: str) -> None:
     assert old in TEXT
-    with pytest.raises(FileError, match=words):
+    with raises(FileError, code, file="glove.toml"):
         parse_glove(TEXT.replace(old, new, 1), hand, "glove.toml")
 
 

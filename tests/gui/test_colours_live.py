@@ -10,6 +10,7 @@ from app.engines.snapshot import Snapshot
 from app.viewmodels.colour_live import ENOUGH, GAP, MOST_IMAGES, LiveImages
 from tests.benchmarks.desk import detection, folder, load
 from tests.gui.gui_fakes import ScriptedEngine, frame_and_blobs, scripted_setup, with_camera
+from tests.notices import raises
 from tracker.base.errors import GlovetrackError
 from tracker.calibration.colours_image import Pick, learn_picked
 from tracker.glove import library
@@ -67,7 +68,7 @@ def test_a_fit_without_a_hand_is_rejected() -> None:
     for frame in live._frames:  # the room alone
         object.__setattr__(frame, "left", np.full_like(frame.left, 128))
         object.__setattr__(frame, "right", np.full_like(frame.right, 128))
-    with pytest.raises(GlovetrackError, match="no hand was found"):
+    with raises(GlovetrackError, "colours.no_hand_found"):
         live.fit(blind)()
     assert not live.wanted
 

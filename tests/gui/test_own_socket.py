@@ -15,6 +15,7 @@ from PySide6.QtNetwork import QLocalSocket
 from app.platform import own_socket
 from app.platform.own_socket import ForeignSocket, addresses
 from app.platform.single_instance import Instance, ask, hand_over
+from tests.notices import raises, shows
 from tracker.base.errors import GlovetrackError
 from tracker.cli import main
 from tracker.streaming.remote.request import Reply, is_reply
@@ -128,10 +129,10 @@ def test_a_squatted_folder_is_reported(shared, monkeypatch, name, squatted, caps
     else:
         folder.mkdir()
         folder.chmod(0o777)
-    with pytest.raises(ForeignSocket, match="folder of your own"):
+    with raises(ForeignSocket, "window.socket_folder"):
         hand_over(None, name=name)
     assert main(["remote", "start"]) == 1
-    assert "folder of your own" in capsys.readouterr().err
+    assert shows(capsys.readouterr().err, "window.socket_folder")
 
 
 @as_root
@@ -150,7 +151,7 @@ def test_a_folder_of_another_user_is_an_error_and_not_exit_0(shared, name):
     )
     if Path(f"/run/user/{os.getuid()}").exists():
         pytest.skip("this user is logged in and has a folder of the system's")
-    assert started.returncode == 1 and "folder of your own" in started.stderr
+    assert started.returncode == 1 and shows(started.stderr, "window.socket_folder")
     assert "Traceback" not in started.stderr
 
 
@@ -162,7 +163,7 @@ def test_another_users_listener_is_rejected(shared, monkeypatch, name, capsys):
     try:
         (shared / "s").rename(address)
         for approach in (lambda: hand_over(None, name=name), lambda: ask({"do": "start"}, name)):
-            with pytest.raises(ForeignSocket, match="belongs to another user"):
+            with raises(ForeignSocket, "window.foreign_socket"):
                 approach()
         with pytest.raises(ForeignSocket):
             Instance(name)
@@ -200,7 +201,7 @@ def test_an_answer_of_another_format_is_rejected(shared, monkeypatch, name):
     stranger = Stranger(Path(addresses(name)[0]), os.getuid(), "\x1b[2J I am the window")
     try:
         for approach in (lambda: hand_over(None, name=name), lambda: ask({"do": "start"}, name)):
-            with pytest.raises(GlovetrackError, match="not a Glovetrack window"):
+            with raises(GlovetrackError, "window.other_program"):
                 approach()
     finally:
         stranger.end()

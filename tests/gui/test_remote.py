@@ -25,6 +25,7 @@ from app.platform.single_instance import Instance, ask
 from app.storage.settings import SettingsStore
 from app.widgets.options_dialog import OptionsDialog
 from tests.gui.gui_fakes import ScriptedGlove, scripted_setup, with_glove
+from tests.notices import shows
 from tracker.base.clock import monotonic
 from tracker.cli import main
 from tracker.streaming.remote.client import ask as ask_over_udp
@@ -327,7 +328,7 @@ def test_the_command_controls_the_window_of_another_process(tmp_path):
         return subprocess.run(command, env=env, capture_output=True, text=True, check=False)
 
     alone = remote("start")
-    assert alone.returncode == 1 and "No window is open" in alone.stderr
+    assert alone.returncode == 1 and shows(alone.stderr, "window.none")
     script = FIRST.format(tests=str(ROOT / "tests" / "gui"))
     with subprocess.Popen([sys.executable, "-c", script], env=env) as first:
         try:

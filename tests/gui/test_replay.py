@@ -251,11 +251,11 @@ def test_a_replay_skips_damaged_messages_and_reports_their_number(
         qtbot.waitUntil(lambda: shown(engine) == frames[-1].t, timeout=20_000)
         errors: list[str] = []
 
-        def has_told_all() -> bool:
+        def has_reported_all() -> bool:
             errors.extend(e.text for e in engine.drain_events() if e.kind == "error")
             return bool(errors) and all(f"1 on {topic}" in errors[-1] for topic in topics)
 
-        qtbot.waitUntil(has_told_all, timeout=20_000)
+        qtbot.waitUntil(has_reported_all, timeout=20_000)
         assert len(errors) <= 3
     finally:
         engine.close()

@@ -12,6 +12,7 @@ from PySide6.QtNetwork import QLocalSocket
 
 from app.platform.own_socket import addresses
 from app.platform.single_instance import Instance, hand_over
+from tests.notices import shows
 from tracker.cli import main
 from tracker.offline.simulate import SimulateOptions, simulate
 
@@ -87,11 +88,18 @@ def test_a_start_with_a_time_opens_its_file_paused_there(home, session_file, qap
     assert (first.returncode, first.stdout.strip()) == (0, "opened P01.mcap 0.25")
 
 
-@pytest.mark.parametrize("words", [["--at", "1"], ["a.mcap", "--at", "-1"], ["a.mcap", "--at=nan"]])
-def test_a_time_without_a_session_or_outside_it_is_refused(words, capsys):
+@pytest.mark.parametrize(
+    ("words", "code"),
+    [
+        (["--at", "1"], "option.requires"),
+        (["a.mcap", "--at", "-1"], "option.least"),
+        (["a.mcap", "--at=nan"], "option.least"),
+    ],
+)
+def test_a_time_without_a_session_or_outside_it_is_refused(words, code, capsys):
     with pytest.raises(SystemExit) as end:
         main(words)
-    assert end.value.code == 2 and "--at requires" in capsys.readouterr().err
+    assert end.value.code == 2 and shows(capsys.readouterr().err, code, option="--at")
 
 
 def test_leftovers_of_a_crashed_window_do_not_stop_the_next(qtbot):

@@ -16,6 +16,6 @@ def test_opening_and_closing_on_a_session_leaves_nothing(qapp, tmp_path, monkeyp
     assert len(found.memory_mb) == 1 and found.memory_mb[0] > 50
 
 
-def test_growth_is_told_whatever_one_look_says():
+def test_growth_is_reported_whatever_a_single_sample_shows():
     assert soak._slope([100.0, 101.0, 102.0, 180.0, 104.0]) == pytest.approx(1.0, abs=0.01)
     assert soak._slope([100.0]) == 0.0

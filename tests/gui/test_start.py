@@ -34,7 +34,7 @@ def test_the_window_is_imported_without_what_only_devices_and_dialogs_need() -> 
     assert loaded & (LATER if are_compiled() else LATER - {"scipy"}) == set()  # numba loads it
 
 
-def test_commands_are_told_without_numpy_and_qt() -> None:
+def test_commands_are_listed_without_numpy_and_qt() -> None:
     code = "import sys; from tracker.cli import build_parser as b; b(['-h']); print(*sys.modules)"
     result = subprocess.run(
         [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True

@@ -135,7 +135,7 @@ def test_a_session_that_is_gone_is_not_offered(tmp_path, sessions):
     assert [p.name for p in found.unfinished] == ["P02_fist.mcap"]
 
 
-def test_ages_are_told_as_people_do():
+def test_ages_are_rounded_to_readable_units():
     now = datetime(2026, 5, 20, 15, 0)
     for ago, text in (
         (timedelta(seconds=5), "just now"),

@@ -205,7 +205,7 @@ def test_the_silence_of_a_glove_is_said_beside_its_packets():
     )
 
 
-def test_of_both_hands_each_is_told():
+def test_both_hands_are_reported():
     hands = (HandReport("left", 0.61, 8.0), HandReport("right", 0.97))
     report = RecordingReport(Path("a.mcap"), "", 20.0, 3, hands=hands)
     assert report_text(report) == (
@@ -454,7 +454,7 @@ def replace_status(hand: HandNow, values: dict[str, float]) -> HandNow:
     return hand._replace(status=replace(hand.status, values=values))
 
 
-def test_what_is_missing_is_told_and_nothing_else():
+def test_only_missing_data_are_reported():
     names = models()[1].imu_names
     samples = list(simulation().imu_samples())[:100]
     now = samples[-1].t_arrival

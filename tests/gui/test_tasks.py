@@ -71,7 +71,7 @@ def _vanish(progress) -> None:
     os._exit(3)
 
 
-def test_work_aside_is_done_by_a_kinder_process_and_tells_how_far_it_is():
+def test_a_subprocess_has_a_lower_priority_and_reports_its_progress():
     results = []
     pid, nice = run_in_subprocess(
         "work", _share_of_process, JobProgress(lambda share, _text: results.append(share))
@@ -80,7 +80,7 @@ def test_work_aside_is_done_by_a_kinder_process_and_tells_how_far_it_is():
     assert results == [0.5]
 
 
-def test_a_crash_aside_is_told_by_its_name():
+def test_a_crash_of_the_subprocess_is_reported_by_its_name():
     with pytest.raises(RuntimeError, match="KeyError: 'a fault of ours'"):
         run_in_subprocess("work", _crash, JobProgress(lambda *_: None))
 
@@ -88,7 +88,7 @@ def test_a_crash_aside_is_told_by_its_name():
 @pytest.mark.parametrize(
     ("work", "words"), [(_refuse, "disk is full"), (_vanish, "ended unexpectedly")]
 )
-def test_work_aside_that_ends_early_says_so(work, words):
+def test_a_subprocess_that_ends_early_raises(work, words):
     with pytest.raises(GlovetrackError, match=words):
         run_in_subprocess("work", work, JobProgress(lambda *_: None))
 

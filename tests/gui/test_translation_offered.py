@@ -58,7 +58,7 @@ def test_german_is_offered():
     assert "de" in OFFERED
 
 
-def test_fields_are_told_apart_by_order_format_and_conversion():
+def test_fields_are_distinguished_by_order_format_and_conversion():
     assert fields("{} of {}") == fields("{0}: {1}")
     assert fields("{:.1f} of {}") != fields("{} of {:.1f}")
     assert fields("{!r}") != fields("{}")

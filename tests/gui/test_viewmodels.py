@@ -241,7 +241,7 @@ def test_calibration_in_peoples_units():
     assert "Bend" in shown.advice  # the mounting is what is farthest from settled
 
 
-def test_of_a_camera_alone_no_hand_is_told():
+def test_a_camera_alone_reports_no_hand():
     values = {"frame_rate_hz": 15.0, "estimate_rate_hz": 15.0, "imu_rate_hz": 0.0}
     hand = {f.key: f for f in fields(Status(0.0, Tracking.SEARCHING, values))}["estimate_rate_hz"]
     assert hand.text == "–"
@@ -337,7 +337,7 @@ def test_each_stage_has_its_latency():
     assert "Arrival of an image to its estimate: 7.8 ms (24.3 ms)" in shown.tip
 
 
-def test_orbit_keeps_its_distance_and_looks_where_it_is_told():
+def test_orbit_keeps_its_distance_and_looks_at_its_target():
     orbit = Orbit()
     orbit.target = np.array([0.2, 0.0, 0.1])
     orbit.turn(0.7, -0.4)

@@ -197,7 +197,7 @@ def test_a_calibration_that_is_none_is_refused_and_not_remembered(window, store,
     assert store.value.calibration == ""
 
 
-def test_a_broken_factory_is_told_in_words(window, qtbot):
+def test_an_error_of_a_panel_factory_is_shown(window, qtbot):
     def factory(progress):
         raise RuntimeError("no such thing")
 

@@ -54,7 +54,7 @@ def test_a_model_is_recovered_from_its_own_curve() -> None:
 
 
 def test_too_short_a_signal_is_rejected() -> None:
-    with pytest.raises(ValueError, match="100 samples"):
+    with pytest.raises(ValueError, match="100"):
         allan(np.zeros((50, 3)), RATE_HZ)
 
 

@@ -58,7 +58,7 @@ def test_tracked_sessions_are_not_tracked_again(folder: Path, tmp_path: Path) ->
 def test_impossible_arguments_are_rejected(folder: Path, tmp_path: Path) -> None:
     with raises(FileError, "session.none_in"):
         plan([tmp_path], tmp_path / "out")
-    with pytest.raises(ConfigError, match="name a folder"):
+    with raises(ConfigError, "track.out_is_file"):
         plan([folder], folder / "a.mcap")
 
 
@@ -109,7 +109,7 @@ def test_a_cluster_gives_identical_results(folder: Path, tmp_path: Path) -> None
 def test_an_unreachable_cluster_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("distributed")
     monkeypatch.setattr("tracker.base.workers.DASK_PATIENCE", 0.5)
-    with pytest.raises(DeviceError, match="No Dask scheduler"), dask_workers("127.0.0.1:9"):
+    with raises(DeviceError, "workers.no_scheduler"), dask_workers("127.0.0.1:9"):
         pass
 
 

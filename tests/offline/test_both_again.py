@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from resources import folder
+from tests.notices import raises
 from tracker.base.errors import ConfigError, FileError
 from tracker.messages import Estimate
 from tracker.offline.options import TrackOptions
@@ -86,12 +87,12 @@ def test_profiles_are_applied_to_their_own_hand(
     both = track(session, tmp_path / "c.mcap", worn)
     assert both.hands["right"].error_mm == one.hands["right"].error_mm
     assert both.hands["left"].error_mm != first.hands["left"].error_mm
-    with pytest.raises(ConfigError, match=r"anna_left\.toml and other\.toml are of the same hand"):
+    with raises(ConfigError, "track.same_hand"):
         other = tmp_path / "other.toml"
         other.write_text(left.read_text())
         track(session, tmp_path / "d.mcap", TrackOptions(wearer=f"{left},{other}"))
     other.write_text(left.read_text().replace("reference-left", "large-left"))
-    with pytest.raises(FileError, match="of hand large-left with glove"):
+    with raises(FileError, "track.other_hand"):
         track(session, tmp_path / "d.mcap", TrackOptions(wearer=str(other)))
 
 
@@ -104,11 +105,11 @@ def test_replaced_files_are_applied_to_the_given_side(session: Path, tmp_path: P
     with SessionReader(out) as reader:
         lengths = {info.side: info.hand.length for info in reader.info.hands}
     assert lengths == {"left": 0.184, "right": 0.183}
-    with pytest.raises(ConfigError, match="of the same side"):
+    with raises(ConfigError, "track.same_side"):
         track(session, tmp_path / "x.mcap", TrackOptions(hand=f"reference-left,{longer}"))
     nameless = tmp_path / "nameless.toml"
     nameless.write_text("schema = 1\n")
-    with pytest.raises(FileError, match="does not contain its side"):
+    with raises(FileError, "track.no_side"):
         track(session, tmp_path / "x.mcap", TrackOptions(glove=str(nameless)))
 
 
@@ -121,5 +122,5 @@ def test_a_measured_length_applies_to_both(session: Path, plain: Plain, tmp_path
 def test_a_session_of_one_hand_accepts_one_file(tmp_path: Path) -> None:
     path = tmp_path / "one.mcap"
     simulate(path, SimulateOptions(seed=5, duration=1.0, fps=30, images=False))
-    with pytest.raises(ConfigError, match="the session is of one hand"):
+    with raises(ConfigError, "track.one_hand"):
         track(path, tmp_path / "x.mcap", TrackOptions(hand="reference-left,reference-right"))

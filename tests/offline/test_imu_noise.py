@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.notices import raises
 from tracker.base.clock import ClockAnchor
 from tracker.base.errors import FileError
 from tracker.cli import main
@@ -67,12 +68,12 @@ def test_a_few_lost_samples_do_not_matter_and_many_are_an_error() -> None:
     gyro[500:560] = accel[500:560] = np.nan
     assert imu_noise(raw(gyro, accel)).imus[0].noise.gyro == pytest.approx(GYRO, rel=0.1)
     gyro[::5] = accel[::5] = np.nan
-    with pytest.raises(FileError, match="imu0 is missing in 2"):
+    with raises(FileError, "noise.imu_missing", imu="imu0"):
         imu_noise(raw(gyro, accel))
 
 
 def test_a_short_rest_is_rejected_with_instructions() -> None:
-    with pytest.raises(FileError, match="on a table"):
+    with raises(FileError, "noise.short_rest"):
         imu_noise(raw(*noise(3000, 1)))
 
 
@@ -135,7 +136,7 @@ def test_the_noise_goes_into_the_glove_file_and_nothing_else_changes() -> None:
     without = [line for line in changed.splitlines() if not line.startswith("noise")]
     assert without == text.splitlines()
     assert with_noise(changed, measured) == changed
-    with pytest.raises(FileError, match="no IMU named toe"):
+    with raises(FileError, "noise.unknown_imu", names=("toe",)):
         with_noise(text, {"toe": ImuNoise(1, 1, 0, 0)})
 
 

@@ -3,8 +3,7 @@
 import argparse
 import json
 
-import pytest
-
+from tests.notices import raises
 from tracker.base.errors import FileError
 from tracker.cli import build_parser
 from tracker.offline.simulate import SimulateOptions, simulate
@@ -32,5 +31,5 @@ def test_a_session_without_images_is_reported(tmp_path):
     path = tmp_path / "blobs.mcap"
     simulate(path, SimulateOptions(images=False, duration=1.0, fps=10))
     args = light(str(path))
-    with pytest.raises(FileError, match="contains no images"):
+    with raises(FileError, "light.no_images"):
         args.command.start(args)

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.notices import shows
 from tracker.base.errors import FileError
 from tracker.cli import main
 from tracker.messages import Estimate, StereoFrame
@@ -81,11 +82,11 @@ def test_images_are_searched_if_there_are_no_blobs(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("arguments", "words"),
+    ("arguments", "code", "values"),
     [
-        (["--engine", "magic"], 'There is no engine "magic"'),
-        (["--hand", "nobody"], 'There is no "nobody" among the hands'),
-        (["--colours", "fabric-default"], "no images"),
+        (["--engine", "magic"], "part.unknown", {"name": "magic"}),
+        (["--hand", "nobody"], "library.unknown", {"name": "nobody"}),
+        (["--colours", "fabric-default"], "track.no_images", {}),
     ],
 )
 def test_impossible_arguments_are_reported(
@@ -93,12 +94,13 @@ def test_impossible_arguments_are_reported(
     tmp_path: Path,
     capsys: pytest.CaptureFixture[str],
     arguments: list[str],
-    words: str,
+    code: str,
+    values: dict[str, object],
 ) -> None:
     out = tmp_path / "out.mcap"
     assert main(["track", str(session), "-o", str(out), *arguments]) == 1
     message = capsys.readouterr().err
-    assert words in message and "Traceback" not in message
+    assert shows(message, code, **values) and "Traceback" not in message
     assert not out.exists(), "nothing half-made is left behind"
 
 

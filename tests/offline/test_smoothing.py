@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.notices import shows
 from tracker.cli import main
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
@@ -141,7 +142,7 @@ def test_only_chain_can_be_smoothed(
 ) -> None:
     source, out = record_short(tmp_path / "in.mcap"), tmp_path / "out.mcap"
     assert main(["track", str(source), "-o", str(out), "--smooth", "--engine", "vist"]) == 1
-    assert "Smoothing is for the engine chain" in capsys.readouterr().err
+    assert shows(capsys.readouterr().err, "track.smooth_engine", engine="vist")
     assert not out.exists()
     assert main(["track", str(source), "-o", str(out), "--smooth", "--with-sensors"]) == 0
     with SessionReader(source) as first, SessionReader(out) as second:

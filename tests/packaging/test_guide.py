@@ -18,6 +18,7 @@ import numpy as np
 import pytest
 
 from tests.firmware.bootloader import Bootloader
+from tests.notices import shows
 from tracker.cli import build_parser, main
 from tracker.messages import Event
 from tracker.session.reader import SessionReader
@@ -237,7 +238,7 @@ def _runs(capsys: pytest.CaptureFixture[str]) -> bool:
 
 def _answered(line: str, capsys: pytest.CaptureFixture[str]) -> bool:
     """Whether it was received: a window that is starting on a loaded computer answers late."""
-    return run(line) == 0 or "No window is open" not in capsys.readouterr().err
+    return run(line) == 0 or not shows(capsys.readouterr().err, "window.none")
 
 
 def _wait(done: Callable[[], bool], window: subprocess.Popen[bytes], timeout: float = 90) -> None:

@@ -197,7 +197,7 @@ def test_a_low_battery_is_reported_once_until_it_was_charged() -> None:
 
 
 def test_two_hundred_a_second_require_the_fast_line() -> None:
-    with pytest.raises(ValueError, match="need 250000 baud"):
+    with pytest.raises(ValueError, match="250000"):
         LinkParams(rate_hz=200, baud=115_200)
 
 

@@ -238,5 +238,5 @@ def test_a_decompression_bomb_is_rejected() -> None:
 
 
 def test_only_an_engines_own_objects_are_packed() -> None:
-    with pytest.raises(TypeError, match="cannot be recorded"):
+    with pytest.raises(TypeError, match="dict"):
         pack("chain", {"x": struct.Struct("<I")})

@@ -24,7 +24,7 @@ def motor(of: float, late: float) -> Event:
 
 
 def driven(of: float, late: float) -> RobotState:
-    return replace(state(of, 1), t_told=at(of + late))
+    return replace(state(of, 1), t_sent=at(of + late))
 
 
 @pytest.fixture
@@ -56,8 +56,8 @@ def test_the_time_of_a_command_is_read_back_and_unknown_for_a_replay(
 ) -> None:
     with SessionReader(session) as reader:
         states = [m for m in read_robot(reader, "claw_left") if isinstance(m, RobotState)]
-    assert [s.t_told == pytest.approx(s.t + 0.008) for s in states[:99]] == [True] * 99
-    assert states[-1].t_told != states[-1].t_told  # NaN
+    assert [s.t_sent == pytest.approx(s.t + 0.008) for s in states[:99]] == [True] * 99
+    assert states[-1].t_sent != states[-1].t_sent  # NaN
 
 
 def test_the_command_reports_it_as_text_and_json(

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.notices import shows
 from tracker.cli import main
 from tracker.messages import BlobFrame, Estimate, StereoFrame
 from tracker.session.reader import SessionReader
@@ -56,9 +57,9 @@ def test_vist_and_smoothing_report_that_they_need_two_cameras(
 ) -> None:
     command = ["track", str(one), "-o", str(tmp_path / "o.mcap")]
     assert main([*command, "--engine", "vist"]) == 1
-    assert "requires both lenses" in capsys.readouterr().err
+    assert shows(capsys.readouterr().err, "engine.needs_both_lenses", engine="vist")
     assert main([*command, "--smooth"]) == 1
-    assert "needs both lenses" in capsys.readouterr().err
+    assert shows(capsys.readouterr().err, "track.smooth_lenses")
     assert main([*command, "--lenses", "right"]) == 1
     assert "only one camera" in capsys.readouterr().err
 

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 import pytest
 
+from tests.notices import raises
 from tracker.base.errors import DeviceError
 from tracker.glove import library
 from tracker.messages import Event, ImuSample
@@ -66,7 +67,7 @@ def test_packets_have_the_wearers_motion_and_the_cable_is_unplugged_at_the_end(
 def test_a_process_that_cannot_start_is_reported() -> None:
     process = GloveProcess(SPEC)
     process._process.kill()
-    with pytest.raises(DeviceError, match="simulated glove did not start"):
+    with raises(DeviceError, "simulator.glove_not_started"):
         process.paths(START)
     process.close()
 

@@ -9,6 +9,7 @@ import cv2
 import numpy as np
 import pytest
 
+from tests.notices import raises
 from tracker.base.errors import FileError
 from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.stereo.views import BoardFinder
@@ -71,7 +72,7 @@ def test_images_are_lost_without_a_reader_and_else_side_by_side(tmp_path: Path) 
 
 
 def test_a_pipe_that_cannot_be_created_is_reported(tmp_path: Path) -> None:
-    with pytest.raises(FileError, match="cannot be made"):
+    with raises(FileError, "file.not_created"):
         ImagePipe(tmp_path / "nowhere" / "camera.mjpeg")
 
 

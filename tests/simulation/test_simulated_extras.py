@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from tests.notices import raises
 from tracker.base.errors import ConfigError
 from tracker.geometry import so3
 from tracker.glove.model import GloveModel
@@ -39,7 +40,7 @@ def test_object_is_occluded_by_the_back_and_occludes_the_palm(
 
 
 def test_unknown_object_is_rejected(hand: HandModel) -> None:
-    with pytest.raises(ConfigError, match="no 'piano'"):
+    with raises(ConfigError, "option.choice", value="piano"):
         HeldObject(hand, "piano")
 
 

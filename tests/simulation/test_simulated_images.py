@@ -6,6 +6,7 @@ import cv2
 import numpy as np
 import pytest
 
+from tests.notices import raises
 from tracker.base.errors import ConfigError, FileError
 from tracker.geometry import so3
 from tracker.glove.model import GloveModel
@@ -191,13 +192,13 @@ def test_fabrics_have_the_default_profiles_hues(hue: str) -> None:
 
 
 def test_unknown_fabric_and_image_are_rejected() -> None:
-    with pytest.raises(ConfigError, match="no fabric of the hue 'plaid'"):
+    with raises(ConfigError, "simulate.no_fabric", hue="plaid"):
         fabric_bgr("plaid")
 
 
 def test_missing_photograph_is_reported(flat: SimulatedScene) -> None:
     params = RenderParams(background=BackgroundParams("photograph", "nowhere.jpg"))
-    with pytest.raises(FileError, match=r"nowhere\.jpg is not an image"):
+    with raises(FileError, "images.not_readable"):
         Renderer(flat, params)
 
 

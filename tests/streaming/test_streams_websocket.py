@@ -134,7 +134,7 @@ def test_closing_disconnects_clients_and_frees_the_port(
         server.close()
         with pytest.raises(ConnectionClosed):
             client.recv(timeout=2)
-    with pytest.raises(StreamError, match="closed"):
+    with raises(StreamError, "stream.closed"):
         server.send(make_estimate())
     WebSocketPublisher(names, port=server.port).close()
 

@@ -9,6 +9,7 @@ from typing import Generic, TypeVar
 
 from tracker.base.arguments import add_options, options_of
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.base.registry import Registry
 
 O = TypeVar("O")  # noqa: E741 (options)
@@ -60,8 +61,7 @@ class Command(Generic[O]):
             if not self.extra:
                 raise
             raise ConfigError(
-                f"The command {self.name} requires more packages ({error}): "
-                f'pip install "glovetrack[{self.extra}]".'
+                notice("command.packages", command=self.name, why=error, extra=self.extra)
             ) from error
 
 

@@ -15,17 +15,22 @@ from typing import Any, TypeVar
 import tomli_w
 
 from tracker.base.errors import ConfigError, FileError
+from tracker.base.notices import Notice, notice
 from tracker.base.toml_reader import parse_toml
 
 T = TypeVar("T")
-Complain = Callable[[str, str], None]
+Complain = Callable[[str, Notice], None]
 """Receives the path of a key and what is wrong with it; raises, or returns to use the default."""
 
-UNKNOWN = "is not a setting"
+UNKNOWN = notice("toml.setting")
 
 
 class _Wrong(Exception):
     """A value that its field cannot hold, and why."""
+
+    def __init__(self, why: Notice) -> None:
+        super().__init__(why)
+        self.why = why
 
 
 def to_toml(params: Any) -> str:
@@ -40,13 +45,13 @@ def from_toml(kind: type[T], text: str, name: str = "settings.toml") -> T:
     Raises ConfigError naming the first key that is unknown, of a wrong type or not finite.
     """
 
-    def complain(path: str, why: str) -> None:
-        raise ConfigError(f"{name}: {path} {why}.")
+    def complain(path: str, why: Notice) -> None:
+        raise ConfigError(notice("config.key", file=name, key=path, why=why))
 
     try:
         data = parse_toml(text, name)
     except FileError as error:
-        raise ConfigError(str(error)) from error
+        raise ConfigError(error.notice) from error
     return from_dict(kind, data, complain)
 
 
@@ -69,30 +74,30 @@ def from_dict(kind: type[T], data: dict[str, Any], complain: Complain, where: st
             try:
                 values[key] = _taken(usual, value)
             except _Wrong as wrong:
-                complain(path, str(wrong))
+                complain(path, wrong.why)
     return dataclasses.replace(default, **values)  # type: ignore[type-var]
 
 
 def _taken(usual: Any, value: Any) -> Any:
     """The value in the type of its field. Raises _Wrong."""
     if dataclasses.is_dataclass(usual):
-        raise _Wrong("must be a table")
+        raise _Wrong(notice("toml.table"))
     if isinstance(usual, tuple) and isinstance(value, list):
         return tuple(_number(v) for v in value)
     if isinstance(usual, float):
         return _number(value)
     if type(value) is not type(usual):
-        raise _Wrong(f"must be a {type(usual).__name__}")
+        raise _Wrong(notice("toml.type", type=type(usual).__name__))
     return value
 
 
 def _number(value: Any) -> float:
     if not isinstance(value, int | float) or isinstance(value, bool):
-        raise _Wrong("must be a float")
+        raise _Wrong(notice("toml.number"))
     try:
         number = float(value)
     except OverflowError:  # an integer of hundreds of digits
         number = math.inf
     if not math.isfinite(number):
-        raise _Wrong("must be a finite number")
+        raise _Wrong(notice("toml.finite"))
     return number

@@ -33,9 +33,21 @@ class ConfigError(GlovetrackError):
     """A setting has an unknown name, a wrong type or an impossible value."""
 
 
+class DataError(ValueError):
+    """A part of a file or message is invalid; ``notice`` says why. Its reader, which knows the
+    file, reports it."""
+
+    def __init__(self, what: Notice) -> None:
+        super().__init__(what)
+        self.notice = what.with_severity(Severity.ERROR)
+
+    def __str__(self) -> str:
+        return str(self.notice)
+
+
 def notice_of(failure: BaseException) -> Notice:
     """What an error reports: its notice, or the text of an error that is not ours."""
-    if isinstance(failure, GlovetrackError):
+    if isinstance(failure, GlovetrackError | DataError):
         return failure.notice
     text = str(failure) or type(failure).__name__
     return plain(text, Severity.ERROR)

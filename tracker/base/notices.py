@@ -161,7 +161,7 @@ def try_render(report: Notice, language: Language = ENGLISH) -> str | None:
         return None
     values = _Values(language)
     try:
-        return values.vformat(language.translate(template), (), report.values)
+        return values.vformat(language.translate(template), (), report.values).rstrip()
     except (LookupError, TypeError, ValueError):
         return None
 

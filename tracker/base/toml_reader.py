@@ -16,7 +16,7 @@ import numpy as np
 from tracker.base.arrays import Array
 from tracker.base.errors import FileError
 from tracker.base.files import read_bounded
-from tracker.base.notices import notice
+from tracker.base.notices import Notice, notice
 
 MOST_BYTES = 1_000_000
 """Of a configuration file; the longest of ours has a hundredth of it."""
@@ -25,8 +25,6 @@ _MOST_TABLES = 1000
 _MOST_DIGITS = 400
 _LARGEST = 2**63 - 1
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,63}")
-_NAME_RULE = "a letter, then at most 63 letters, digits, _ and -"
-_LABEL_RULE = "at most 64 characters that can be printed, and no comma"
 _TOKEN = re.compile(
     r'"""(?:[^"\\]++|\\.|"(?!""))*+"{3,5}'  # texts of several lines
     r"|'''(?:[^']++|'(?!''))*+'{3,5}"
@@ -46,11 +44,15 @@ class TomlTable:
         self._data, self._where, self._source = data, where, source
         self._used: set[str] = set()
 
-    def fail(self, key: str, why: str) -> FileError:
-        """The error to raise for ``key`` of this table."""
-        path = f"{self._where}.{key}" if self._where else key
+    def fail(self, key: str, why: Notice) -> FileError:
+        """The error to raise for ``key`` of this table; ``why`` continues the key."""
+        path = _short(f"{self._where}.{key}" if self._where else key)
         line = self._source.line(self._where, key)
-        return FileError(f"{self._source.name}{line}: {_short(path)} {_short(why, 400)}.")
+        if line is None:
+            return FileError(notice("config.key", file=self._source.name, key=path, why=why))
+        return FileError(
+            notice("config.invalid_value", file=self._source.name, line=line, key=path, why=why)
+        )
 
     def has(self, key: str) -> bool:
         return key in self._data
@@ -60,15 +62,15 @@ class TomlTable:
         if key in self._data:
             return self._data[key]
         if default is ...:
-            raise self.fail(key, "is missing")
+            raise self.fail(key, notice("toml.missing"))
         return default
 
     def text(self, key: str, default: Any = ..., among: Iterable[str] | None = None) -> str:
         value = self._take(key, default)
         if not isinstance(value, str) or not value:
-            raise self.fail(key, "must be a text")
+            raise self.fail(key, notice("toml.text"))
         if among is not None and value not in (choices := list(among)):
-            raise self.fail(key, f"is {value!r}; it must be one of {', '.join(choices)}")
+            raise self.fail(key, notice("toml.choice", value=value, known=choices))
         return value
 
     def name(self, key: str) -> str:
@@ -77,15 +79,15 @@ class TomlTable:
 
     def _checked_name(self, key: str, value: str) -> str:
         if not _NAME.fullmatch(value):
-            raise self.fail(key, f"has the name {_short(value)!r}; {_NAME_RULE}")
+            raise self.fail(key, notice("toml.name", name=_short(value)))
         return value
 
     def integer(self, key: str, default: Any = ...) -> int:
         value = self._take(key, default)
         if not isinstance(value, int) or isinstance(value, bool):
-            raise self.fail(key, "must be a whole number")
+            raise self.fail(key, notice("toml.integer"))
         if abs(value) > _LARGEST:
-            raise self.fail(key, "is too large a number")
+            raise self.fail(key, notice("toml.too_large"))
         return value
 
     def number(
@@ -95,17 +97,17 @@ class TomlTable:
 
     def _number(self, key: str, value: Any, low: float, high: float) -> float:
         if not isinstance(value, int | float) or isinstance(value, bool):
-            raise self.fail(key, "must be a number")
+            raise self.fail(key, notice("toml.number"))
         if not abs(value) <= sys.float_info.max:  # NaN, infinite, or an integer beyond all floats
-            raise self.fail(key, "must be a finite number")
+            raise self.fail(key, notice("toml.finite"))
         if not low <= value <= high:
-            raise self.fail(key, f"is {value:g}; it must be between {low:g} and {high:g}")
+            raise self.fail(key, notice("toml.range", value=value, low=low, high=high))
         return float(value)
 
     def vector(self, key: str, n: int, default: Any = ..., limit: float = math.inf) -> Array:
         value = self._take(key, default)
         if not isinstance(value, list | tuple) or len(value) != n:
-            raise self.fail(key, f"must be a list of {n} numbers")
+            raise self.fail(key, notice("toml.numbers", count=n))
         return np.array([self._number(key, v, -limit, limit) for v in value])
 
     def unit(self, key: str, n: int, tolerance: float = 1e-3) -> Array:
@@ -113,22 +115,22 @@ class TomlTable:
         value = self.vector(key, n)
         norm = float(np.linalg.norm(value))
         if abs(norm - 1) > tolerance:
-            raise self.fail(key, f"has length {norm:.4g}; it must be 1 within {tolerance:g}")
+            raise self.fail(key, notice("toml.norm", norm=norm, tolerance=tolerance))
         return value / norm
 
     def names(self, key: str, among: Iterable[str], default: Any = ...) -> tuple[str, ...]:
         value = self._take(key, default)
         choices = list(among)
         if not isinstance(value, list) or not all(v in choices for v in value):
-            raise self.fail(key, f"must be a list out of {', '.join(choices)}")
+            raise self.fail(key, notice("toml.names", known=choices))
         if len(set(value)) != len(value):
-            raise self.fail(key, "names something twice")
+            raise self.fail(key, notice("toml.twice"))
         return tuple(value)
 
     def table(self, key: str, default: Any = ...) -> TomlTable:
         value = self._take(key, default)
         if not isinstance(value, dict):
-            raise self.fail(key, "must be a table")
+            raise self.fail(key, notice("toml.table"))
         where = f"{self._where}.{key}" if self._where else key
         return TomlTable(value, where, self._source)
 
@@ -136,7 +138,7 @@ class TomlTable:
         """A text that people choose and see, such as a hue."""
         value = self.text(key)
         if not _is_label(value):
-            raise self.fail(key, f"is {_short(value)!r}; {_LABEL_RULE}")
+            raise self.fail(key, notice("toml.label", label=_short(value)))
         return value
 
     def tables(self, key: str, labels: bool = False) -> dict[str, TomlTable]:
@@ -148,22 +150,22 @@ class TomlTable:
         self._count(key, len(group._data))
         for name in group._data:
             if labels and not _is_label(name):
-                raise group.fail(name, f"is no name: {_LABEL_RULE}")
+                raise group.fail(name, notice("toml.label", label=_short(name)))
             if not labels and not _NAME.fullmatch(name):
-                raise group.fail(name, f"is no name: {_NAME_RULE}")
+                raise group.fail(name, notice("toml.name", name=_short(name)))
         return {name: group.table(name) for name in group._data}
 
     def table_list(self, key: str) -> list[TomlTable]:
         """An array of tables; empty if the key is absent."""
         value = self._take(key, [])
         if not isinstance(value, list) or not all(isinstance(v, dict) for v in value):
-            raise self.fail(key, f"must be written as [[{key}]] tables")
+            raise self.fail(key, notice("toml.table_list", key=key))
         self._count(key, len(value))
         return [TomlTable(v, f"{key}[{i}]", self._source) for i, v in enumerate(value)]
 
     def _count(self, key: str, n: int) -> None:
         if n > _MOST_TABLES:
-            raise self.fail(key, f"has {n} tables; there may be {_MOST_TABLES}")
+            raise self.fail(key, notice("toml.many_tables", count=n, most=_MOST_TABLES))
 
     def keys(self) -> list[str]:
         return list(self._data)
@@ -172,7 +174,7 @@ class TomlTable:
         """Raise for the first key that was not asked for."""
         for key in self._data:
             if key not in self._used:
-                raise self.fail(key, "is not a key that this file may have")
+                raise self.fail(key, notice("toml.unknown_key"))
 
 
 def texts(table: TomlTable, key: str) -> tuple[str, ...]:
@@ -180,7 +182,7 @@ def texts(table: TomlTable, key: str) -> tuple[str, ...]:
     value = table._take(key, ...)
     found = [value] if isinstance(value, str) else value
     if not isinstance(found, list) or not found or not all(isinstance(v, str) for v in found):
-        raise table.fail(key, "must be a text or a list of texts")
+        raise table.fail(key, notice("toml.texts"))
     return tuple(found)
 
 
@@ -190,21 +192,21 @@ class TomlText:
     def __init__(self, name: str, text: str) -> None:
         self.name, self._lines = name, text.splitlines()
 
-    def line(self, where: str, key: str) -> str:
-        """``', line N'`` of a key where it can be found, else nothing."""
+    def line(self, where: str, key: str) -> int | None:
+        """Number of the line of a key, where it can be found."""
         header = self._header([*where.split("."), key] if where else [key])
         if header is not None:
-            return f", line {header + 1}"
+            return header + 1
         start = self._table_start(where)
         if start is None:
-            return ""
+            return None
         for n in range(start, len(self._lines)):
             text = self._lines[n].strip()
             if n > start and text.startswith("["):
                 break
             if text.split("=")[0].strip() == key:
-                return f", line {n + 1}"
-        return f", line {start + 1}" if where else ""
+                return n + 1
+        return start + 1 if where else None
 
     def _header(self, path: list[str]) -> int | None:
         """Number of the line that begins the table of that path, however its name is quoted."""
@@ -259,24 +261,24 @@ def _check_bounds(text: str, name: str) -> None:
             raise FileError(notice("config.unclosed_text", file=name, line=line))
         token = found[0]
         first = token[0]
-        why = ""
+        why: Notice | None = None
         if first in "\"'" or first == "_" or first.isalnum():
             bare = token
             if first.isdigit() and len(token) > _MOST_DIGITS:
-                why = f"is a number of {len(token)} digits"
+                why = notice("toml.long_number", digits=len(token))
         elif first == ".":
             parts += 1
             if parts > _DEEPEST:
-                key, why = bare, f"has more than {_DEEPEST} parts"
+                key, why = bare, notice("toml.many_parts", most=_DEEPEST)
         elif first in "[{":
             depth += 1
             if depth > _DEEPEST:
-                why = f"is nested more than {_DEEPEST} deep"
+                why = notice("toml.deep", most=_DEEPEST)
         elif first in "]}":
             depth -= 1
         elif first == "=":
             key = bare
-        if why:
+        if why is not None:
             raise FileError(
                 notice(
                     "config.invalid_value",

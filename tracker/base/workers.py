@@ -18,6 +18,7 @@ from typing import Any, Protocol
 
 from tracker.base.damage import LeftOut, gather, merged, pass_on
 from tracker.base.errors import ConfigError, DeviceError, GlovetrackError
+from tracker.base.notices import notice
 from tracker.base.numeric_threads import limit_this_process
 
 TELL_EVERY = 0.25  # s between two reports of one task
@@ -119,11 +120,11 @@ def dask_workers(address: str) -> Iterator[Workers]:
     try:
         import distributed
     except ImportError as error:
-        raise ConfigError("A cluster needs Dask: install glovetrack[cluster].") from error
+        raise ConfigError(notice("workers.no_dask")) from error
     try:
         client = distributed.Client(address, timeout=DASK_PATIENCE, set_as_default=False)
     except (OSError, ValueError) as error:  # TimeoutError is an OSError
-        raise DeviceError(f"No Dask scheduler answers at {address}.") from error
+        raise DeviceError(notice("workers.no_scheduler", address=address)) from error
     with client, client.get_executor(pure=False) as executor:
         yield _Dask(executor, distributed.Queue(client=client), distributed.Event(client=client))
 
@@ -203,7 +204,7 @@ def _work(task: WorkItem, number: int, board: Board, stop: StopFlag) -> TaskOutc
             reported[0] = now
             board.put((number, share))
             if stop.is_set():
-                raise GlovetrackError("The work was stopped.")
+                raise GlovetrackError(notice("workers.stopped"))
 
     try:
         with gather() as left_out:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from tracker.base.command import Command, UsageError
 from tracker.base.files import check_target, write_whole
+from tracker.base.notices import notice
 from tracker.base.terminal import add_json, check_json, printable, write_json
 
 if TYPE_CHECKING:
@@ -53,7 +54,7 @@ def _run(args: argparse.Namespace) -> int:
     known = CHECKS.all()
     unknown = [name for name in args.only or () if name not in known]
     if unknown:
-        raise UsageError(f"no check {', '.join(unknown)}; there are: {', '.join(known)}")
+        raise UsageError(notice("doctor.unknown_check", names=unknown, known=known))
     chosen = [known[name] for name in args.only or known]
     results = []
     for result in examine(Machine(args.folder, fps=args.fps), chosen):

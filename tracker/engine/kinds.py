@@ -13,7 +13,7 @@ from typing import Any
 
 from tracker.base.config import from_dict, to_toml
 from tracker.base.errors import ConfigError
-from tracker.base.notices import notice
+from tracker.base.notices import Notice, notice
 from tracker.base.registry import Registry
 from tracker.engine.settings import Settings
 from tracker.fusion.engine import Engine
@@ -109,7 +109,7 @@ def params_of(kind: EngineKind, settings: Settings) -> Any:
     if kind.params is Settings:
         return settings
 
-    def complain(path: str, why: str) -> None:
+    def complain(path: str, why: Notice) -> None:
         raise ConfigError(notice("config.invalid_setting", key=path, why=why))
 
     table = settings.engines.get(kind.name, {})

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from tracker.base.notices import notice
 from tracker.base.toml_reader import TomlTable, read_text, read_toml
 from tracker.geometry import so3
 from tracker.glove.model import GloveModel, Imu, ImuAxes, ImuDrift, ImuNoise, Keypoint, Marker
@@ -31,29 +32,37 @@ def parse_glove(text: str, hand: HandModel, name: str = "glove.toml") -> GloveMo
     """A glove from the text of its file; segments are those of ``hand``."""
     root = read_toml(text, name)
     if root.integer("schema") != 1:
-        raise root.fail("schema", "must be 1")
+        raise root.fail("schema", notice("toml.schema", expected=1))
     glove_name = root.text("name")
     side = root.text("side", among=("right", "left"))
     if side != hand.side:
-        raise root.fail("side", f"is {side} but the hand {hand.name!r} is a {hand.side} one")
+        raise root.fail(
+            "side", notice("glove.file_side", side=side, hand=hand.name, hand_side=hand.side)
+        )
     hand_name = root.text("hand")
     imus = tuple(_imu(t, hand) for t in root.table_list("imu"))
     _distinct(root, "imu", [i.name for i in imus])
-    _distinct(root, "imu", [i.segment for i in imus], "two IMUs on")
+    _one_imu_each(root, [i.segment for i in imus])
     markers = tuple(_marker(t, hand) for t in root.table_list("marker"))
     _distinct(root, "marker", [str(m.id) for m in markers])
     if sorted(m.id for m in markers) != list(range(len(markers))):
-        raise root.fail("marker", f"must have the ids 0 to {len(markers) - 1}")
+        raise root.fail("marker", notice("toml.ids", last=len(markers) - 1))
     markers = tuple(sorted(markers, key=lambda m: m.id))
     keypoints = tuple(_keypoint(root, n, t, hand) for n, t in root.tables("keypoints").items())
     root.finish()
     return GloveModel(glove_name, side, hand_name, imus, markers, keypoints)
 
 
-def _distinct(root: TomlTable, key: str, names: list[str], what: str = "twice") -> None:
-    for n in names:
-        if names.count(n) > 1:
-            raise root.fail(key, f"has {what} {n!r}")
+def _distinct(root: TomlTable, key: str, names: list[str]) -> None:
+    for name in names:
+        if names.count(name) > 1:
+            raise root.fail(key, notice("glove.file_twice", name=name))
+
+
+def _one_imu_each(root: TomlTable, segments: list[str]) -> None:
+    for segment in segments:
+        if segments.count(segment) > 1:
+            raise root.fail("imu", notice("glove.file_two_imus", segment=segment))
 
 
 def _imu(t: TomlTable, hand: HandModel) -> Imu:
@@ -84,7 +93,7 @@ def _noise(t: TomlTable) -> ImuNoise:
 def _drift(t: TomlTable) -> ImuDrift:
     drift = ImuDrift(*(t.vector(f.name, 3, limit=1.0) for f in fields(ImuDrift)))
     if min(drift.gyro_sd.min(), drift.accel_sd.min()) < 0:
-        raise t.fail("gyro_sd", "and accel_sd must not be negative")
+        raise t.fail("gyro_sd", notice("glove.file_drift_sd"))
     t.finish()
     return drift
 
@@ -93,7 +102,7 @@ def _axes(t: TomlTable) -> ImuAxes:
     axes = ImuAxes(*(t.vector(f.name, 9).reshape(3, 3) for f in fields(ImuAxes)))
     for name, matrix in (("gyro", axes.gyro), ("accel", axes.accel)):
         if np.abs(matrix - np.eye(3)).max() > LARGEST_AXIS_ERROR:
-            raise t.fail(name, f"must be within {LARGEST_AXIS_ERROR} of the identity matrix")
+            raise t.fail(name, notice("glove.file_axes", limit=LARGEST_AXIS_ERROR))
     t.finish()
     return axes
 
@@ -114,7 +123,7 @@ def _marker(t: TomlTable, hand: HandModel) -> Marker:
 
 def _keypoint(root: TomlTable, name: str, t: TomlTable, hand: HandModel) -> Keypoint:
     if name in KEYPOINTS:
-        raise root.fail("keypoints", f"names {name!r} again, which the skeleton has")
+        raise root.fail("keypoints", notice("glove.file_name_taken", name=name))
     keypoint = Keypoint(
         name, t.text("segment", among=hand.segment_names), t.vector("position", 3, limit=0.5)
     )

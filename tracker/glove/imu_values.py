@@ -9,6 +9,7 @@ from dataclasses import fields
 import numpy as np
 
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.glove.model import ImuAxes, ImuDrift, ImuNoise
 
 _TABLE = re.compile(r"^\s*\[")
@@ -49,7 +50,7 @@ def _with(text: str, key: str, values: Mapping[str, ImuNoise | ImuDrift | ImuAxe
             out.append(f"{key} = {{ {_inline(left.pop(name[1]))} }}")
             written = True
     if left:
-        raise FileError(f"The glove file has no IMU named {', '.join(left)}.")
+        raise FileError(notice("noise.unknown_imu", names=left))
     return "\n".join(out) + "\n"
 
 

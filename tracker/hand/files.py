@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from tracker.base.notices import notice
 from tracker.base.toml_reader import TomlTable, read_text, read_toml
 from tracker.geometry import so3
 from tracker.hand.model import HandModel, Joint, Segment, Synergy
@@ -24,7 +25,7 @@ def parse_hand(text: str, name: str = "hand.toml") -> HandModel:
     """A hand from the text of its file; ``name`` replaces the file name in messages."""
     root = read_toml(text, name)
     if root.integer("schema") != 1:
-        raise root.fail("schema", "must be 1")
+        raise root.fail("schema", notice("toml.schema", expected=1))
     hand_name = root.text("name")
     side = root.text("side", among=("right", "left"))
     length = root.number("length", low=0.05, high=0.5)
@@ -43,7 +44,7 @@ def parse_hand(text: str, name: str = "hand.toml") -> HandModel:
 
 def _segment(root: TomlTable, name: str, t: TomlTable) -> Segment:
     if name not in SEGMENTS:
-        raise root.fail("segments", f"holds the unknown segment {name!r}")
+        raise root.fail("segments", notice("hand.unknown_segment", segment=name))
     is_root = name == ROOT
     segment = Segment(
         name=name,
@@ -65,10 +66,12 @@ def _rest(t: TomlTable) -> np.ndarray:
 def _sorted(root: TomlTable, raw: dict[str, Segment]) -> tuple[Segment, ...]:
     """Parents first, otherwise in the conventions' order; raises for loops and orphans."""
     if ROOT not in raw:
-        raise root.fail("segments", f"has no {ROOT}")
+        raise root.fail("segments", notice("hand.no_root", root=ROOT))
     for s in raw.values():
         if s.parent is not None and s.parent not in raw:
-            raise root.fail("segments", f"says that the parent of {s.name} is {s.parent!r}")
+            raise root.fail(
+                "segments", notice("hand.unknown_parent", segment=s.name, parent=s.parent)
+            )
     out: list[Segment] = []
     placed: set[str] = set()
     while len(out) < len(raw):
@@ -79,7 +82,7 @@ def _sorted(root: TomlTable, raw: dict[str, Segment]) -> tuple[Segment, ...]:
         ]
         if not ready:
             loop = sorted(set(raw) - placed)
-            raise root.fail("segments", f"has a loop through {', '.join(loop)}")
+            raise root.fail("segments", notice("hand.loop", names=loop))
         out += [raw[n] for n in ready]
         placed |= set(ready)
     return tuple(sorted(out, key=lambda s: (_depth(raw, s), SEGMENTS.index(s.name))))
@@ -95,7 +98,7 @@ def _joints(root: TomlTable, segments: dict[str, Segment]) -> tuple[Joint, ...]:
     for name, t in root.tables("joints").items():
         child = t.text("child", among=[s for s in segments if s != ROOT])
         if child in seen:
-            raise t.fail("child", f"{child!r} has two joints")
+            raise t.fail("child", notice("hand.two_joints", segment=child))
         seen.add(child)
         axes = t.names("axes", AXES)
         axes = tuple(a for a in ("flexion", "abduction", "twist") if a in axes)
@@ -105,7 +108,7 @@ def _joints(root: TomlTable, segments: dict[str, Segment]) -> tuple[Joint, ...]:
         can_be_stiff = "abduction" in axes and "twist" not in axes
         stiff = t.names("stiff", ("abduction",), list(STIFF.get(child, ())) if can_be_stiff else [])
         if stiff and not can_be_stiff:
-            raise t.fail("stiff", "may hold abduction only where that is free and twist is not")
+            raise t.fail("stiff", notice("hand.abduction"))
         fist = t.number("fist", FIST[child], low=0, high=1)
         t.finish()
         joints.append(Joint(name, child, axes, limits, stiff, fist))
@@ -115,7 +118,7 @@ def _joints(root: TomlTable, segments: dict[str, Segment]) -> tuple[Joint, ...]:
 def _limit(t: TomlTable, axis: str) -> tuple[float, float]:
     low, high = t.vector(axis, 2, limit=360)
     if low >= high:
-        raise t.fail(axis, "must be [lower, upper]")
+        raise t.fail(axis, notice("hand.limits"))
     return float(np.deg2rad(low)), float(np.deg2rad(high))
 
 
@@ -123,7 +126,7 @@ def _synergies(root: TomlTable, hand: HandModel) -> tuple[Synergy, ...]:
     out: list[Synergy] = []
     for angle, t in root.tables("synergies").items():
         if angle not in hand.angle_index:
-            raise root.fail("synergies", f"holds the unknown angle {angle!r}")
+            raise root.fail("synergies", notice("hand.unknown_angle", angle=angle))
         of = t.text("of", among=hand.joint_names)
         ratio = t.number("ratio", low=-10, high=10)
         offset = np.deg2rad(t.number("offset_deg", 0.0, low=-180, high=180))
@@ -134,7 +137,7 @@ def _synergies(root: TomlTable, hand: HandModel) -> tuple[Synergy, ...]:
         seen, angle = {s.angle}, s.of
         while angle in source:
             if angle in seen:
-                raise root.fail("synergies", f"has a loop through {angle}")
+                raise root.fail("synergies", notice("hand.loop", names=(angle,)))
             seen.add(angle)
             angle = source[angle]
     return tuple(out)
@@ -146,5 +149,10 @@ def _check_length(root: TomlTable, hand: HandModel) -> None:
     if abs(total / hand.length - 1) > 0.02:
         raise root.fail(
             "length",
-            f"is {hand.length:g} m but {', '.join(s.name for s in parts)} add up to {total:.4g} m",
+            notice(
+                "hand.length_sum",
+                length_m=hand.length,
+                segments=[s.name for s in parts],
+                sum_m=total,
+            ),
         )

@@ -9,6 +9,7 @@ from typing import Any
 
 from tracker.base.errors import ConfigError
 from tracker.base.files import make_folder
+from tracker.base.notices import notice
 from tracker.base.workers import (
     ALL_CORES,
     TaskOutcome,
@@ -43,7 +44,7 @@ def plan(sources: Sequence[Path], out: Path) -> list[Job]:
     if len(sources) == 1 and not sources[0].is_dir() and not out.is_dir():
         return [Job(sources[0], out)]
     if out.exists() and not out.is_dir():
-        raise ConfigError(f"{out} is a file; for several sessions name a folder.")
+        raise ConfigError(notice("track.out_is_file", path=out))
     taken: set[Path] = set()
     jobs = []
     for source, name in sessions_in(sources, leave_out=out):

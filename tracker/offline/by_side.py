@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from tracker.base.errors import ConfigError, FileError
+from tracker.base.notices import notice
 from tracker.base.toml_reader import parse_toml, read_text
 from tracker.fusion.engine import Engine
 from tracker.fusion.worn import keep as save_wearer
@@ -47,12 +48,10 @@ def replacements(options: TrackOptions, both: bool) -> dict[str, Replacement]:
         if both:
             named = {of_side(name, _side_of(each.text, each.origin)): each for each in found}
             if len(named) < len(found):
-                raise ConfigError(f"{' and '.join(r.origin for r in found)} are of the same side.")
+                raise ConfigError(notice("track.same_side", files=[r.origin for r in found]))
             out |= named
         elif len(found) > 1:
-            raise ConfigError(
-                f"{' and '.join(r.origin for r in found)}: the session is of one hand."
-            )
+            raise ConfigError(notice("track.one_hand", files=[r.origin for r in found]))
         elif found:
             (out[name],) = found
     return out
@@ -61,7 +60,7 @@ def replacements(options: TrackOptions, both: bool) -> dict[str, Replacement]:
 def _side_of(text: str, name: str) -> str:
     side = parse_toml(text, name).get("side")
     if side not in SIDES:
-        raise FileError(f"{name} does not contain its side.")
+        raise FileError(notice("track.no_side", file=name))
     return str(side)
 
 
@@ -80,11 +79,10 @@ def wearers(asked: str, info: SessionInfo) -> dict[str, Path]:
         sides = [w.side for w in info.hands if names == (w.hand.name, w.glove.name)]
         if not sides:
             raise FileError(
-                f"{path.name} is of hand {names[0]} with glove {names[1]}, which the session has "
-                "not."
+                notice("track.other_hand", file=path.name, hand=names[0], glove=names[1])
             )
         if sides[0] in out:
-            raise ConfigError(f"{out[sides[0]].name} and {path.name} are of the same hand.")
+            raise ConfigError(notice("track.same_hand", files=(out[sides[0]].name, path.name)))
         out[sides[0]] = path
     return out
 

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from tracker.base.errors import FileError
 from tracker.base.files import check_target, write_with_folder
+from tracker.base.notices import notice
 from tracker.calibration.light_meter import LightMeter, LightReading
 from tracker.glove import library
 from tracker.messages import ImuSample, StereoFrame
@@ -82,7 +83,7 @@ def session_light(path: Path, colours: str = "") -> SessionLight:
         meter = LightMeter(profile, rig.fx if rig is not None else 640.0)
         readings = tuple(meter.read(image) for image in _some_images(session))
     if not readings:
-        raise FileError(f"{path} contains no images whose light could be read.")
+        raise FileError(notice("light.no_images", path=path))
     advice = [a for r in readings for a in {a.kind: a for a in r.advice}.values()]
     most = [
         kind
@@ -133,7 +134,7 @@ def check_session(source: Path, colours: str = "") -> ColourCheck:
 def glove_of(info: SessionInfo) -> WatchedGlove:
     """Returns hand, glove and cameras of a session. Raises FileError if it has no cameras."""
     if info.rig is None:
-        raise FileError("The session contains no camera calibration: no hand can be found in it.")
+        raise FileError(notice("colours.no_calibration"))
     return WatchedGlove(info.hand, info.glove, info.rig)
 
 
@@ -158,5 +159,5 @@ def _read(source: Path, colours: str) -> tuple[SessionInfo, list[Sensed]]:
             if images >= MOST_IMAGES:
                 break
     if images == 0:
-        raise FileError(f"{source} contains no images to fit colours to.")
+        raise FileError(notice("colours.no_images", path=source))
     return info, messages

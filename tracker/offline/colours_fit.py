@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker.base.errors import GlovetrackError
+from tracker.base.notices import notice
 from tracker.calibration.colours_fit import clashes
 from tracker.calibration.colours_learn import ColourSamples, learn, wide_profiles
 from tracker.calibration.colours_sample import known_sides, samples_of
@@ -177,11 +178,7 @@ def fit_messages(
     patches: dict[str, int] = {}
     for turn in range(ROUNDS):
         if len(best.frames) < min(LEAST_IMAGES, best.images):
-            raise GlovetrackError(
-                "The colours could not be fitted: no hand was found for sure, whatever the light. "
-                f"Hold the hand flat and still in view of {_cameras(watched)}, in more or whiter "
-                "light."
-            )
+            raise GlovetrackError(notice("colours.no_hand_found", cameras=_cameras(watched)))
         samples = _samples(best, watched, fitted.hue_names, odd=len(best.frames) < 4 or turn > 0)
         fitted, patches = learn(fitted, samples), samples.patches
         best = look(messages, watched, fitted)
@@ -189,8 +186,13 @@ def fit_messages(
     old, new = (checked(p, watched, c, showing) for p, c in ((before, profile), (best, fitted)))
     if _is_worse(new, old):
         raise GlovetrackError(
-            f"The colours stay as they are: fitted ones find {new.sure:.1f} markers in an image "
-            f"and {new.clashing:.1f} other things, these {old.sure:.1f} and {old.clashing:.1f}."
+            notice(
+                "colours.session_fit_worse",
+                found=new.sure,
+                others=new.clashing,
+                found_before=old.sure,
+                others_before=old.clashing,
+            )
         )
     return SessionFit(fitted, old, new, patches)
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from tracker.base.arguments import add_options, options_of
 from tracker.base.command import Command
 from tracker.base.errors import GlovetrackError
+from tracker.base.notices import notice
 from tracker.base.terminal import add_force, add_json, check_json, finish, progress_line
 from tracker.offline.options import LENSES_BY_NUMBER, USUAL, SimulateOptions, TrackOptions
 
@@ -170,7 +171,7 @@ def _track_many(args: argparse.Namespace, jobs: Sequence[Job], options: TrackOpt
     finish(args, to_json(jobs, outcomes), table(jobs, outcomes).splitlines(), files)
     failed = sum(bool(o.error) for o in outcomes)
     if failed:
-        raise GlovetrackError(f"{failed} of {len(jobs)} sessions could not be tracked.")
+        raise GlovetrackError(notice("track.some_failed", failed=failed, count=len(jobs)))
     return 0
 
 

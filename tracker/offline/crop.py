@@ -14,6 +14,7 @@ from typing import Any
 from tracker.base.clock import NS
 from tracker.base.errors import ConfigError, GlovetrackError
 from tracker.base.files import check_target, whole_file
+from tracker.base.notices import notice
 from tracker.messages import ImuSample
 from tracker.offline.track import state_at
 from tracker.session import engine_state
@@ -60,10 +61,7 @@ def _span(reader: SessionReader, start: float, stop: float | None) -> tuple[int,
     """Log times in ns."""
     first, last = reader.span_ns
     if not (0 <= start < (reader.duration if stop is None else stop)) or start > reader.duration:
-        raise ConfigError(
-            f"A part begins before it ends, within the {reader.duration:.2f} s of "
-            f"{reader.path.name}."
-        )
+        raise ConfigError(notice("crop.range", duration_s=reader.duration, file=reader.path.name))
     end = FOREVER if stop is None else first + round(stop * NS)
     return first + round(start * NS), end if end <= last else FOREVER
 

@@ -15,6 +15,7 @@ from typing import Any
 from tracker import __version__
 from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import check_target, sha256, whole_file
+from tracker.base.notices import Notice, notice
 from tracker.offline.options import TrackOptions
 from tracker.session.edits import Edit, Filled
 from tracker.session.export.series import EstimateSeries, recorded_series
@@ -107,7 +108,7 @@ def fill(
     filled = tuple(f for fill in fills.values() for f in fill.filled)
     left = [*left, *(each for fill in fills.values() for each in fill.left)]
     if not filled:
-        raise FileError(f"No gap of {source.name} could be filled: {left[0].why}.")
+        raise FileError(notice("gaps.none_filled", file=source.name, why=left[0].why))
     edit = _edit(source, options, signature or Signature.now(), filled)
     with whole_file(out, force, [source]) as part, SessionReader(source) as reader:
         write_filled(reader, part, fills, edit)
@@ -141,12 +142,16 @@ def _fill_hands(
 
 def _check(options: FillOptions) -> None:
     if options.method not in METHODS:
-        raise ConfigError(f"Gaps are filled by {', '.join(METHODS)}, not by {options.method!r}.")
+        raise ConfigError(
+            notice("option.choice", option="--method", known=METHODS, value=options.method)
+        )
     if not (math.isfinite(options.max_gap) and options.max_gap > 0):
-        raise ConfigError(f"The longest gap to fill is {options.max_gap:g} s; it must be above 0.")
+        raise ConfigError(notice("gaps.max_gap", max_gap_s=options.max_gap))
     unknown = [kind for kind in options.kinds if kind not in KINDS]
     if unknown or not options.kinds:
-        raise ConfigError(f"Kinds of gaps are {', '.join(KINDS)}, not {', '.join(unknown)!r}.")
+        raise ConfigError(
+            notice("option.choice", option="--kinds", known=KINDS, value=", ".join(unknown))
+        )
 
 
 def _matched(gaps: Sequence[Gap], wanted: Sequence[Gap], source: Path) -> list[Gap]:
@@ -155,8 +160,14 @@ def _matched(gaps: Sequence[Gap], wanted: Sequence[Gap], source: Path) -> list[G
     for gap in wanted:
         if _key(gap) not in known:
             raise FileError(
-                f"{source.name} has no gap of the {gap.side} {gap.part} from {gap.start:.3f} s to "
-                f"{gap.stop:.3f} s. List its gaps again."
+                notice(
+                    "gaps.no_such_gap",
+                    file=source.name,
+                    side=gap.side,
+                    part=gap.part,
+                    start_s=gap.start,
+                    stop_s=gap.stop,
+                )
             )
     return [known[key] for key in dict.fromkeys(map(_key, wanted))]
 
@@ -165,17 +176,14 @@ def _key(gap: Gap) -> tuple[object, ...]:
     return gap.side, gap.part, gap.keypoints, gap.kind, gap.start_ns, gap.stop_ns
 
 
-def _nothing(source: Path, gaps: Sequence[Gap], options: FillOptions) -> str:
+def _nothing(source: Path, gaps: Sequence[Gap], options: FillOptions) -> Notice:
     kinds = [gap for gap in gaps if gap.kind in options.kinds]
     short = sum(gap.fillable for gap in kinds)
     if not kinds:
-        return f"{source.name} has no gap to fill ({', '.join(options.kinds)})."
+        return notice("gaps.none_of_kind", file=source.name, kinds=options.kinds)
     if short:
-        return (
-            f"All {short} gaps of {source.name} that could be filled are longer than "
-            f"{options.max_gap:g} s. Choose a longer --max-gap."
-        )
-    return f"No gap of {source.name} has estimates on both sides."
+        return notice("gaps.all_longer", count=short, file=source.name, max_gap_s=options.max_gap)
+    return notice("gaps.no_estimates", file=source.name)
 
 
 def _smoothed(source: Path, out: Path, watch: Watch) -> Mapping[str, EstimateSeries]:

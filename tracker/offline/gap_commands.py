@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from tracker.base.command import Command
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.base.terminal import add_json, check_json, finish, progress_line
 
 if TYPE_CHECKING:
@@ -119,7 +120,7 @@ def read_gaps(path: Path) -> Sequence[Gap]:
             for row in rows
         ]
     except (ValueError, KeyError, TypeError, RecursionError) as error:
-        raise FileError(f"{path} is not a list that `glovetrack gaps --json` wrote.") from error
+        raise FileError(notice("gaps.not_list", path=path)) from error
 
 
 GAPS = Command("gaps", "list where and why a hand is not measured", _gaps, add=_add_gaps)

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.glove.model import ImuNoise
 from tracker.inertial.allan import AllanCurve, NoiseModel, noise_of
 from tracker.messages import Array
@@ -98,16 +99,13 @@ def imu_noise(raw: RawImu) -> NoiseReport:
     """Analyses the longest rest of a recording. Raises FileError if it has none of 60 s, or if an
     IMU is missing in more than 2 % of it."""
     if len(raw) < 2:
-        raise FileError("The recording has no samples of IMUs.")
+        raise FileError(notice("noise.no_samples"))
     t = (raw.stamp_ns - raw.stamp_ns[0]) * 1e-9
     rate_hz = (len(t) - 1) / float(t[-1])  # single steps have the jitter of the time stamps
     first, last = longest_rest(raw, rate_hz)
     duration = (last - first) / rate_hz
     if duration < LEAST_S:
-        raise FileError(
-            f"The longest rest in the recording is {duration:.0f} s; at least {LEAST_S:.0f} s are "
-            "needed, better 10 minutes. Put the glove on a table and do not touch it."
-        )
+        raise FileError(notice("noise.short_rest", rest_s=duration, least_s=LEAST_S))
     out = []
     for j, name in enumerate(raw.names):
         gyro = _without_gaps(raw.gyro[first:last, j], name)
@@ -147,6 +145,6 @@ def _without_gaps(values: Array, name: str) -> Array:
     known = np.isfinite(values).all(axis=1)
     missing = 1 - known.mean()
     if missing > GAPS:
-        raise FileError(f"The IMU {name} is missing in {100 * missing:.0f} % of the rest.")
+        raise FileError(notice("noise.imu_missing", imu=name, missing_percent=100 * missing))
     at = np.arange(len(values))
     return np.stack([np.interp(at, at[known], column[known]) for column in values.T], axis=1)

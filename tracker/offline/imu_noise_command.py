@@ -7,6 +7,7 @@ from pathlib import Path
 
 from tracker.base.command import Command, UsageError
 from tracker.base.files import check_target, write_whole
+from tracker.base.notices import notice
 from tracker.base.terminal import add_json, check_json, finish
 
 
@@ -36,7 +37,7 @@ def _run(args: argparse.Namespace) -> int:
     from tracker.session.reader import SessionReader
 
     if (args.glove is None) != (args.target is None):
-        raise UsageError("--glove and --set must be given together")
+        raise UsageError(notice("option.together", options=("--glove", "--set")))
     inputs = [path for path in (args.session, args.glove) if path is not None]
     check_json(args, inputs)
     for path in (args.out, args.target):

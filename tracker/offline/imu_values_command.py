@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from tracker.base.command import Command, UsageError
 from tracker.base.files import check_target, write_whole
+from tracker.base.notices import notice
 from tracker.base.terminal import add_json, check_json, finish
 
 if TYPE_CHECKING:
@@ -46,7 +47,7 @@ def _add_files(parser: argparse.ArgumentParser) -> None:
 def _check(args: argparse.Namespace, sessions: list[Path]) -> list[Path]:
     """Returns the files that are read."""
     if (args.glove is None) != (args.target is None):
-        raise UsageError("--glove and --set must be given together")
+        raise UsageError(notice("option.together", options=("--glove", "--set")))
     inputs = [*sessions, *([args.glove] if args.glove is not None else [])]
     check_json(args, inputs)
     if args.target is not None:

@@ -9,6 +9,7 @@ from functools import partial
 from typing import NamedTuple
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.engine.hands import Hands, Sided, is_for
 from tracker.engine.pipeline import Pipeline, PipelineSavedState
 from tracker.engine.settings import Settings
@@ -214,7 +215,7 @@ class Maker:
     def _put_on(self, engine: Engine, side: str) -> None:
         """Begin with a wearer's profile, or with the hand's measured length, if given."""
         if self._options.wearer and self._options.hand_length:
-            raise ConfigError("A profile contains the length of the hand: leave out --hand-length.")
+            raise ConfigError(notice("track.hand_length"))
         if side in self._profiles:
             put_on(engine, self._profiles[side])
         if self._options.hand_length:

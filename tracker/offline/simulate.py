@@ -11,6 +11,7 @@ import numpy as np
 from tracker.base.clock import ClockAnchor
 from tracker.base.errors import ConfigError
 from tracker.base.files import check_target
+from tracker.base.notices import notice
 from tracker.geometry import so3
 from tracker.glove import library
 from tracker.hand.names import SIDES
@@ -45,14 +46,16 @@ def build(options: SimulateOptions) -> tuple[Simulation, SessionInfo]:
     """
     _check_numbers(options)
     if options.hands not in GLOVES:
-        raise ConfigError(f"Hands can be left, right or both, not {options.hands!r}.")
+        raise ConfigError(
+            notice("option.choice", option="--hands", known=tuple(GLOVES), value=options.hands)
+        )
     glove = options.glove or GLOVES[options.hands]
     info = _info(options, library.texts(glove, options.hand or None))
     seed, rig = options.seed, _rig(options)
     room = room_of(options.scene, options.light, options.photo, seed, rig)
     head = _head(options.camera)
     if options.camera != "stand" and options.scene not in SCENES:
-        raise ConfigError(f"The scene {options.scene} needs a camera that does not move.")
+        raise ConfigError(notice("simulate.fixed_camera", scene=options.scene))
     params = SimulationParams(
         head=head, render=room.render, person=options.person, right_late=options.right_late
     )
@@ -68,19 +71,21 @@ def _rig(options: SimulateOptions) -> StereoRig | None:
     rig = with_readout(ideal_rig(), options.readout)
     known = {"both": rig, "one": with_one_camera(rig), "none": None}
     if options.lenses not in known:
-        raise ConfigError(f"The lenses can be {', '.join(known)}, not {options.lenses!r}.")
+        raise ConfigError(
+            notice("option.choice", option="--lenses", known=tuple(known), value=options.lenses)
+        )
     return known[options.lenses]
 
 
 def _check_numbers(options: SimulateOptions) -> None:
     if not 1.0 <= options.duration <= 36_000:
-        raise ConfigError("The duration must be between 1 s and 10 h.")
+        raise ConfigError(notice("option.range", option="--duration", low="1 s", high="10 h"))
     if not 5 <= options.fps <= 240:
-        raise ConfigError("The frame rate must be between 5 and 240 a second.")
+        raise ConfigError(notice("option.range", option="--fps", low=5, high=240))
     if not 0 <= options.right_late <= MOST_LATE:
-        raise ConfigError("The right camera may be late by 0 to 50 ms.")
+        raise ConfigError(notice("option.range", option="--right-late", low=0, high="50 ms"))
     if not 0 <= options.readout <= LONGEST_READOUT:
-        raise ConfigError("The rows of an image may be exposed over 0 to 100 ms.")
+        raise ConfigError(notice("option.range", option="--readout", low=0, high="100 ms"))
 
 
 def _info(options: SimulateOptions, texts: tuple[str, str]) -> SessionInfo:
@@ -97,7 +102,9 @@ def _info(options: SimulateOptions, texts: tuple[str, str]) -> SessionInfo:
 def _head(camera: str) -> HeadParams:
     known = {"stand": HeadParams(), "head": MOVING, "head-imu": replace(MOVING, tells="imu")}
     if camera not in known:
-        raise ConfigError(f"The camera can be {', '.join(known)}, not {camera!r}.")
+        raise ConfigError(
+            notice("option.choice", option="--camera", known=tuple(known), value=camera)
+        )
     return known[camera]
 
 
@@ -118,7 +125,9 @@ def _led(options: SimulateOptions, info: SessionInfo, then: Motion) -> Motion:
         return then
     known = {"well": HoldParams(), "badly": HELD_BADLY}
     if options.guided not in known:
-        raise ConfigError(f"Poses can be held {', '.join(known)}, not {options.guided!r}.")
+        raise ConfigError(
+            notice("option.choice", option="--guided", known=tuple(known), value=options.guided)
+        )
     person = options.seed if options.person is None else options.person
     wearer = Wearer.random(info.hand, info.glove, person)
     return GuidedPoses(wearer, then, options.seed, known[options.guided])
@@ -164,10 +173,7 @@ def build_both(options: SimulateOptions) -> tuple[TwoHandsSimulation, SessionInf
     """`build` for two hands that meet in front of a fixed camera."""
     asked = options.motion or options.guided or options.hand
     if asked or options.camera != "stand" or options.lenses == "none":
-        raise ConfigError(
-            "Both hands are simulated with random postures in front of a fixed camera: leave out "
-            "--motion, --guided, --hand, --camera and --lenses none."
-        )
+        raise ConfigError(notice("simulate.two_hands"))
     _check_numbers(options)
     infos = {side: _info(options, library.texts(glove)) for side, glove in GLOVES.items()}
     dressed = {side: GlovedHand(info.hand, info.glove) for side, info in infos.items()}

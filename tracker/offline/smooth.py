@@ -22,6 +22,7 @@ import numpy as np
 from scipy.linalg import cho_factor, cho_solve
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.engine.kinds import capabilities_of
 from tracker.engine.settings import Settings
 from tracker.fusion.chain.distal import DistalSegments
@@ -205,7 +206,7 @@ class Smoother:
 
     def __init__(self, info: SessionInfo, settings: Settings) -> None:
         if not capabilities_of(settings.engine).smoothing:
-            raise ConfigError(f"Smoothing is for the engine chain, not for {settings.engine}.")
+            raise ConfigError(notice("track.smooth_engine", engine=settings.engine))
         assert info.rig is not None
         self.side = info.side
         layout, params = ChainLayout(info.hand, info.glove), smoothing_params(settings.chain)

@@ -194,9 +194,9 @@ def _run(
     maker = Maker(info, settings, options)
     if options.smooth:
         if settings.lenses != "both" or (info.rig is not None and info.rig.one_camera):
-            raise ConfigError("Smoothing needs both lenses: leave out --smooth or --lenses.")
+            raise ConfigError(notice("track.smooth_lenses"))
         if changes:
-            raise FileError(f"{reader.path} changes its camera's calibration: --smooth needs one.")
+            raise FileError(notice("track.smooth_calibration", path=reader.path))
         return maker.smooth_run(outputs, CameraTilt(reader.rig().pose), colours)
     if _goes_on(reader, options):
         changes += [(state.t, state) for state in reader.engine_states()]
@@ -249,8 +249,8 @@ def _settings(reader: SessionReader, options: TrackOptions) -> Settings:
 def _settings_of_file(path: Path) -> Settings:
     """Raises FileError, and ConfigError naming the first unknown key or wrong value."""
 
-    def complain(key: str, why: str) -> None:
-        raise ConfigError(f"{path}: {key} {why}.")
+    def complain(key: str, why: Notice) -> None:
+        raise ConfigError(notice("config.key", file=path, key=key, why=why))
 
     return settings_from(parse_toml(read_text(path), str(path)), complain)
 
@@ -277,7 +277,7 @@ def _usable_settings(text: str) -> tuple[Settings, list[str]]:
     try:
         data = parse_toml(text, SETTINGS)
     except FileError as error:
-        raise ConfigError(f"{error} Use the default settings: --settings default.") from error
+        raise ConfigError(notice("track.settings_not_usable", why=error)) from error
     found = settings_from(data, lambda path, why: unusable.append(path))
     if found.engine not in ENGINES.names():
         unusable.append("engine")
@@ -397,10 +397,8 @@ def _of_reader(
         kinds = (*fed, *((StereoFrame,) if keep else ()))
         return reader.packed_messages(kinds)  # type: ignore[return-value]
     if not any(topics.image(c) in reader.topic_names for c in EYES):
-        what = (
-            "no images to try other colours on" if options.colours else "neither blobs nor images"
-        )
-        raise FileError(f"{reader.path} contains {what}.")
+        code = notice("track.no_images" if options.colours else "track.no_blobs", path=reader.path)
+        raise FileError(code)
     packed = reader.packed_messages((ImuSample, CameraImuSample, WristPose, Event, StereoFrame))
     if colours is not None:
         return colours.searched(packed, threads, keep)

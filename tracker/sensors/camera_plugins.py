@@ -67,7 +67,7 @@ def open_plugin(address: str, want: CaptureFormat) -> ImageInput:
     except DeviceError:
         raise
     except ConfigError as error:
-        raise DeviceError(str(error)) from error
+        raise DeviceError(error.notice) from error
     except Exception as error:
         raise DeviceError(notice("camera.plugin_failed", name=name, why=error)) from error
 

@@ -178,8 +178,8 @@ class Encoder:
     def robot(self, m: RobotModel | RobotState | RobotMemory) -> Iterator[Out]:
         """Of a robot that follows the hand; the log time of a state is when its command left."""
         stamp = log = self._wall(m.t)
-        if isinstance(m, RobotState) and math.isfinite(m.t_told):
-            log = self._wall(m.t_told)
+        if isinstance(m, RobotState) and math.isfinite(m.t_sent):
+            log = self._wall(m.t_sent)
         for topic, kind, data in self._robots.parts(m):
             yield Out(topic, kind, log, stamp, data)
 

@@ -29,7 +29,7 @@ from typing import Any
 import numpy as np
 import zstandard
 
-from tracker.base.errors import FileError
+from tracker.base.errors import DataError, FileError
 from tracker.base.notices import notice
 from tracker.base.records import RECORDS, Record, record_of
 from tracker.session.mcap.chunks import decompress
@@ -70,7 +70,7 @@ def unpack(data: bytes) -> tuple[str, Any]:
         raw = decompress("zstd", data[_HEAD.size :], size)
         (length,) = struct.unpack_from("<I", raw)
         if length > MOST_TEXT:
-            raise ValueError("its text is too long")
+            raise DataError(notice("data.long_text"))
         content = json.loads(raw[4 : 4 + length])
         arrays = _read_arrays(content["arrays"], raw[4 + length :])
         return str(content["engine"]), _whole(content["state"], arrays)
@@ -138,10 +138,10 @@ def _read_arrays(described: Sequence[Any], blob: bytes) -> list[np.ndarray]:
     out, at = [], 0
     for name, shape in described:
         if name not in _TYPES or any(type(n) is not int or n < 0 for n in shape):
-            raise ValueError("an array of unknown type or shape")
+            raise DataError(notice("data.array_type"))
         dtype, count = np.dtype(name), int(np.prod(shape, dtype=object))
         if at + count * dtype.itemsize > len(blob):
-            raise ValueError("an array does not fit")
+            raise DataError(notice("data.array_size"))
         out.append(np.frombuffer(blob, dtype, count, at).reshape(shape).copy())
         at += count * dtype.itemsize
     return out
@@ -163,7 +163,7 @@ def _whole(value: Any, arrays: list[np.ndarray]) -> Any:
         return arrays[_index(value["array"])]
     if "number" in value:
         if value["type"] not in _TYPES[:-1]:
-            raise ValueError("a number of unknown type")
+            raise DataError(notice("data.number_type"))
         return np.dtype(value["type"]).type(value["number"])
     return tuple(_whole(v, arrays) for v in value["tuple"])
 
@@ -172,13 +172,13 @@ def _known(name: str, base: type = object) -> Record:
     """The record of a name; an enum's only where one is asked for."""
     known = RECORDS.get(name)
     if known is None or not issubclass(known.kind, base):
-        raise ValueError(f"{str(name)[:60]!r} is not a record")
+        raise DataError(notice("data.not_record", name=str(name)[:60]))
     if base is object and issubclass(known.kind, enum.Enum):
-        raise ValueError(f"{name!r} is not a record")
+        raise DataError(notice("data.not_record", name=name))
     return known
 
 
 def _index(number: Any) -> int:
     if type(number) is not int or number < 0:
-        raise ValueError("an array that is not there")
+        raise DataError(notice("data.no_array"))
     return number

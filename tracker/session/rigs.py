@@ -130,7 +130,7 @@ def first_rig(source: McapInput) -> tuple[StereoRig | None, bool]:
         rig = _rig_of(start.cameras, pose, count)
         return replace(rig, line_time=LineTimes(source).at(log_time)), moving
     except ConfigError as error:
-        raise FileError(f"{source.path}: {error}") from error
+        raise FileError(notice("session.rig_invalid", path=source.path, why=error)) from error
 
 
 @dataclass

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker.base.errors import ConfigError, FileError
+from tracker.base.notices import notice
 from tracker.simulation.smooth import rng_for
 
 Image = NDArray[np.uint8]
@@ -31,9 +32,7 @@ FABRIC_HSV = {
 def fabric_bgr(hue: str) -> tuple[float, float, float]:
     """BGR 0..255 of a marker's fabric. Raises ConfigError for a name without a colour."""
     if hue not in FABRIC_HSV:
-        raise ConfigError(
-            f"The simulator has no fabric of the hue {hue!r}; it has {', '.join(FABRIC_HSV)}."
-        )
+        raise ConfigError(notice("simulate.no_fabric", hue=hue, known=tuple(FABRIC_HSV)))
     pixel = cv2.cvtColor(np.array([[FABRIC_HSV[hue]]], np.uint8), cv2.COLOR_HSV2BGR)[0, 0]
     return float(pixel[0]), float(pixel[1]), float(pixel[2])
 
@@ -65,7 +64,14 @@ def make_background(
     elif params.kind == "photograph":
         canvas = _photograph(Path(params.path), *size)
     else:
-        raise ConfigError(f"A background is plain, painted or photograph, and not {params.kind!r}.")
+        raise ConfigError(
+            notice(
+                "option.choice",
+                option="background",
+                known=("plain", "painted", "photograph"),
+                value=params.kind,
+            )
+        )
     left, right = canvas[:, :width], canvas[:, disparity : disparity + width]
     return np.ascontiguousarray(left), np.ascontiguousarray(right)
 
@@ -111,7 +117,7 @@ def _thing(image: Image, rng: np.random.Generator) -> None:
 def _photograph(path: Path, width: int, height: int) -> Image:
     image = cv2.imread(str(path), cv2.IMREAD_COLOR) if path.is_file() else None
     if image is None:
-        raise FileError(f"{path} is not an image that can be read.")
+        raise FileError(notice("images.not_readable", path=path))
     scale = max(width / image.shape[1], height / image.shape[0])
     size = (round(image.shape[1] * scale + 0.5), round(image.shape[0] * scale + 0.5))
     resized = cv2.resize(image, size, interpolation=cv2.INTER_AREA)

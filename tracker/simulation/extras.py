@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.geometry import so3
 from tracker.hand.model import HandModel
 from tracker.messages import Array, CameraPose
@@ -63,7 +64,9 @@ class HeldObject:
 
     def __post_init__(self) -> None:
         if self.kind not in OBJECTS:
-            raise ConfigError(f"The hand can hold a {', '.join(OBJECTS)}, but no {self.kind!r}.")
+            raise ConfigError(
+                notice("option.choice", option="--object", known=tuple(OBJECTS), value=self.kind)
+            )
 
     def solids(self, t: float, R_GB: Array, p_GB: Array) -> Solids:
         i = self.hand.root

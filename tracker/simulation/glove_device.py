@@ -19,6 +19,7 @@ import numpy as np
 
 from tracker import GRAVITY
 from tracker.base.errors import DeviceError
+from tracker.base.notices import notice
 from tracker.base.urgency import run_soon
 from tracker.messages import Array, ImuSample
 from tracker.sensors.decoder import FrameDecoder
@@ -111,9 +112,7 @@ class SimulatedGlove:
             import pty
             import tty
         except ImportError as error:  # Windows has neither
-            raise DeviceError(
-                "The simulated glove needs a pseudo-terminal, which this system does not have."
-            ) from error
+            raise DeviceError(notice("simulator.no_terminal")) from error
         self._master, slave = pty.openpty()
         tty.setraw(slave)
         os.set_blocking(self._master, False)

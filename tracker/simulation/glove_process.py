@@ -14,12 +14,14 @@ from typing import NamedTuple
 
 from tracker.base.child import start_child
 from tracker.base.errors import DeviceError, GlovetrackError
+from tracker.base.notices import Notice, notice
 from tracker.simulation.demo import DemoSpec, ask, build_scene, hands_of
 from tracker.simulation.drawn_ahead import DrawnAhead
 from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove
 from tracker.simulation.posture_requests import PostureRequest
 from tracker.simulation.scenario import Simulation
 
+NOT_STARTED = notice("simulator.glove_not_started")
 GLOVE_IDS = {"right": 1, "left": 2}
 END_WAIT = 5.0  # s
 SWITCH_S = 0.0002  # s after which generating threads release the GIL for sending ones
@@ -38,7 +40,7 @@ class _There(NamedTuple):
 
 
 class _Failed(NamedTuple):
-    text: str
+    notice: Notice
 
 
 class GloveProcess:
@@ -53,11 +55,11 @@ class GloveProcess:
         Raises DeviceError if they do not exist within ``timeout`` s, or cannot be created.
         """
         try:
-            reply = self._pipe.recv() if self._pipe.poll(timeout) else _Failed("")
+            reply = self._pipe.recv() if self._pipe.poll(timeout) else _Failed(NOT_STARTED)
         except (EOFError, OSError):
-            reply = _Failed("")
+            reply = _Failed(NOT_STARTED)
         if isinstance(reply, _Failed):
-            raise DeviceError(reply.text or "The simulated glove did not start.")
+            raise DeviceError(reply.notice)
         paths: dict[str, str] = reply.paths
         return paths
 
@@ -92,7 +94,7 @@ def _serve(pipe: Connection, spec: DemoSpec) -> None:
                 side: _device(worn, simulation) for side, simulation in hands_of(scene).items()
             }
         except GlovetrackError as error:
-            pipe.send(_Failed(str(error)))
+            pipe.send(_Failed(error.notice))
             return
         pipe.send(_There({side: device.path for side, device in devices.items()}))
         while True:

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from tracker.base.channels import Latest
 from tracker.base.errors import DeviceError, FileError
 from tracker.base.files import check_target
+from tracker.base.notices import notice
 from tracker.calibration.stereo.board import BoardSpec
 from tracker.sensors.image_input import Pair
 from tracker.simulation.board_camera import noisy, true_rig
@@ -47,14 +48,12 @@ class ImagePipe:
         """Raises DeviceError if the system has no named pipes, FileError if one cannot be
         created."""
         if not hasattr(os, "mkfifo"):
-            raise DeviceError(
-                "The simulated rig needs named pipes, which this system does not have."
-            )
+            raise DeviceError(notice("simulator.no_pipes"))
         self.path, self._pipe = path, -1
         try:
             os.mkfifo(path, 0o600)
         except OSError as error:
-            raise FileError(f"{path} cannot be made: {error.strerror}.") from error
+            raise FileError(notice("file.not_created", path=path, why=error.strerror)) from error
 
     def put(self, image: Image) -> bool:
         """Write the next image, (h, w, 3); blocks for a slow reader. False if there is none."""
@@ -239,7 +238,7 @@ class SimulatedRig:
         Raises DeviceError if the camera does not start.
         """
         if not self._camera.wait_ready(STARTS_WITHIN):
-            raise DeviceError("The simulated camera did not start.")
+            raise DeviceError(notice("simulator.camera_not_started"))
         t_0 = time.monotonic()
         self._camera.begin(t_0)
         for glove in self._gloves.values():

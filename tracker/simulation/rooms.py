@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.base.registry import Registry
 from tracker.messages import Array
 from tracker.simulation.backgrounds import BackgroundParams
@@ -89,12 +90,13 @@ def room_of(
     Raises ConfigError for unknown names and invalid combinations.
     """
     if scene not in (*SCENES, *KINDS.names()):
-        known = ", ".join((*SCENES, *KINDS.names()))
-        raise ConfigError(f"The scene can be {known}, not {scene!r}.")
+        raise ConfigError(
+            notice("option.choice", option="--scene", known=(*SCENES, *KINDS.names()), value=scene)
+        )
     if light and scene != "desk":
-        raise ConfigError(f"The light can be chosen for the scene desk, not for {scene}.")
+        raise ConfigError(notice("simulate.light_scene", scene=scene))
     if bool(photo) != (scene == "photo"):
-        raise ConfigError("The scene photo needs an image (--photo), and no other scene has one.")
+        raise ConfigError(notice("simulate.photo_scene"))
     if scene not in SCENES:
         return KINDS.get(scene).make(rig or ideal_rig(), seed)
     if scene == "desk":

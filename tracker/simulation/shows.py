@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 
 WORD = "show:"
 """Prefix of an application's name, in place of a file of recorded motion."""
@@ -28,7 +29,7 @@ def show_keys(name: str) -> list[Key]:
     """
     known = name.removeprefix(WORD)
     if known not in SHOWS:
-        raise ConfigError(f"There is no show {name!r}; there are {', '.join(SHOWS)}.")
+        raise ConfigError(notice("simulate.unknown_show", name=name, known=tuple(SHOWS)))
     keys, t = [], 0.0
     for seconds, gesture, palm, turn in SHOWS[known]:
         t += seconds

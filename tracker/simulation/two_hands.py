@@ -12,6 +12,7 @@ import numpy as np
 
 from tracker.base.clock import nanoseconds
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.hand.names import SIDES
@@ -178,7 +179,7 @@ class TwoHandsSimulation:
         self.seed, self.rig, self.fps = seed, rig or ideal_rig(), fps
         params = params or SimulationParams()
         if isinstance(params.render, DeskParams):
-            raise ConfigError("Two hands are drawn before the scenes plain, painted and photo.")
+            raise ConfigError(notice("simulate.two_hands_scene"))
         self._render = params.render
         meeting, camera = Meeting(seed, duration), self.rig.pose
         seeds = {side: 2 * seed + k for k, side in enumerate(SIDES)}

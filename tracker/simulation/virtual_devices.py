@@ -16,6 +16,7 @@ import cv2
 import numpy as np
 
 from tracker.base.errors import DeviceError
+from tracker.base.notices import notice
 from tracker.messages import Blobs, ImuSample
 from tracker.sensors.decoder import FrameDecoder
 from tracker.sensors.image_input import Image, Pair
@@ -214,7 +215,7 @@ class VirtualCamera:
 
     def open(self) -> None:
         if self._fault == "unplug camera":
-            raise DeviceError(f"The {self.name} cannot be opened: it is not there.")
+            raise DeviceError(notice("camera.not_there", camera=self.name))
 
     def read(self) -> Pair | None:
         if self._fault == "unplug camera":

@@ -148,11 +148,20 @@ def _queried(kind: ConnectionKind[Any], noun: str, query: str) -> dict[str, obje
     usual = kind.options()
     for name, text in parse_qsl(query, keep_blank_values=True):
         if name == HOST or not kind.has(name):
-            known = ", ".join(n for n in kind.fields if n != HOST) or "none"
-            raise ConfigError(f"The {kind.name} {noun} has no option {name!r}; options: {known}.")
+            raise ConfigError(
+                notice(
+                    "stream.no_option",
+                    kind=kind.name,
+                    what=noun,
+                    option=name,
+                    known=[n for n in kind.fields if n != HOST],
+                )
+            )
         value = _read(text, getattr(usual, name))
         if value is None:
-            raise ConfigError(f"{text!r} is not a value for {name} of the {kind.name} {noun}.")
+            raise ConfigError(
+                notice("stream.bad_option", value=text, option=name, kind=kind.name, what=noun)
+            )
         out[key_of(kind.name, name)] = value
     return out
 

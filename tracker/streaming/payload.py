@@ -37,6 +37,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tracker.base.notices import notice
 from tracker.gestures.recogniser import GestureRecogniser
 from tracker.hand.openxr import JOINTS, OpenXrHand, PointMotion, openxr_motion, to_openxr
 from tracker.messages import Array, Estimate, Validity
@@ -85,7 +86,7 @@ def check_schema(schema: int) -> None:
     """Raises StreamError for a version that is not in `SCHEMAS`."""
     if schema not in SCHEMAS:
         known = " or ".join(map(str, SCHEMAS))
-        raise StreamError(f"The schema of JSON messages is {known}, not {schema}.")
+        raise StreamError(notice("stream.schema", known=known, schema=schema))
 
 
 def encoded(message: dict[str, Any]) -> str:

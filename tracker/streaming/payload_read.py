@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from tracker.base.errors import GlovetrackError
+from tracker.base.notices import notice
 from tracker.messages import Array, Estimate, Tracking, Validity
 from tracker.streaming.payload import SCHEMAS
 from tracker.streaming.publisher import Names
@@ -19,7 +20,7 @@ def from_json(text: str | bytes, names: Names, segments: int) -> Estimate:
     try:
         data = json.loads(text)
         if data["schema"] not in SCHEMAS or data["side"] != names.side:
-            raise GlovetrackError("The stream is another hand's, or of another version.")
+            raise GlovetrackError(notice("stream.other_hand"))
         points = [data["keypoints"].get(n, {}) for n in names.keypoints]
         angles = [data["angles"].get(n, {}) for n in names.angles]
         return Estimate(
@@ -35,7 +36,7 @@ def from_json(text: str | bytes, names: Names, segments: int) -> Estimate:
             segment_p=np.full((segments, 3), np.nan),
         )
     except (ValueError, KeyError, TypeError, AttributeError, IndexError) as error:
-        raise GlovetrackError(f"The stream holds no message of ours: {error!r}.") from error
+        raise GlovetrackError(notice("stream.not_ours", why=repr(error))) from error
 
 
 def _numbers(value: Any, many: int) -> Array:

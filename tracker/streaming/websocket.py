@@ -18,6 +18,7 @@ from urllib.parse import parse_qs, urlsplit
 from websockets.asyncio.server import ServerConnection
 from websockets.frames import CloseCode
 
+from tracker.base.notices import notice
 from tracker.gestures.recogniser import GestureRecogniser
 from tracker.messages import Estimate
 from tracker.streaming.client_queue import ClientQueue
@@ -64,7 +65,7 @@ class WebSocketPublisher:
 
     def _send(self, names: Names, gestures: GestureRecogniser | None, estimate: Estimate) -> None:
         if self._closing:
-            raise StreamError("the WebSocket server is closed")
+            raise StreamError(notice("stream.closed", what="WebSocket server"))
         if not self.clients:
             return
         if gestures is not None:

@@ -18,6 +18,7 @@ import numpy as np
 import tomli_w
 from numpy.typing import NDArray
 
+from tracker.base.notices import notice
 from tracker.base.toml_reader import TomlTable, read_text, read_toml
 from tracker.messages import IntArray
 
@@ -136,12 +137,12 @@ def load_profile(path: Path) -> ColourProfile:
 def parse_profile(text: str, name: str = "colours.toml") -> ColourProfile:
     """A profile from TOML text; ``name`` replaces the file name in messages."""
     root = read_toml(text, name)
-    if (schema := root.integer("schema")) != SCHEMA:
-        raise root.fail("schema", f"is {schema}; this version reads {SCHEMA}")
+    if root.integer("schema") != SCHEMA:
+        raise root.fail("schema", notice("toml.schema", expected=SCHEMA))
     title = root.text("name")
     hues = tuple(_hue_range(key, table) for key, table in root.tables("hues", labels=True).items())
     if not hues:
-        raise root.fail("hues", "must hold at least one hue")
+        raise root.fail("hues", notice("colours.file_no_hue"))
     shape = _shape(root.table("shape", {}))
     learned = _learned(root.table("learned", {}), len(hues)) if root.has("learned") else None
     root.finish()
@@ -152,7 +153,9 @@ def _learned(table: TomlTable, hues: int) -> LearnedColours:
     cloth = table.number("cloth", 0.0, 0.0, 1.0)
     smoothing_px = table.integer("smoothing_px", 0)
     if smoothing_px not in SMOOTHING_PX:
-        raise table.fail("smoothing_px", f"must be one of {SMOOTHING_PX}")
+        raise table.fail(
+            "smoothing_px", notice("toml.choice", value=smoothing_px, known=SMOOTHING_PX)
+        )
     text = table.text("classes")
     table.finish()
     try:
@@ -160,12 +163,12 @@ def _learned(table: TomlTable, hues: int) -> LearnedColours:
         unpacker = zlib.decompressobj()
         data = unpacker.decompress(packed, LEARNED_CELLS + 1)
     except (binascii.Error, zlib.error) as error:
-        raise table.fail("classes", "is damaged: it must be base64 of zlib data") from error
+        raise table.fail("classes", notice("colours.file_encoding")) from error
     classes = np.frombuffer(data, np.uint8)
     if len(classes) != LEARNED_CELLS or not unpacker.eof:
-        raise table.fail("classes", f"must hold {LEARNED_CELLS} bytes")
+        raise table.fail("classes", notice("colours.file_cells", expected=LEARNED_CELLS))
     if np.any((classes > hues) & (classes < WORN)):
-        raise table.fail("classes", f"names a hue beyond the {hues} that there are")
+        raise table.fail("classes", notice("colours.file_hue", hues=hues))
     return LearnedColours(packed, cloth, smoothing_px)
 
 
@@ -180,11 +183,11 @@ def _hue_range(name: str, table: TomlTable) -> HueRange:
 def _interval(table: TomlTable, key: str, top: int, wraps: bool = False) -> tuple[int, int]:
     low, high = table.vector(key, 2)
     if low % 1 or high % 1:
-        raise table.fail(key, "must be two whole numbers")
+        raise table.fail(key, notice("colours.file_integers"))
     if not (0 <= low <= top and 0 <= high <= top):
-        raise table.fail(key, f"must be between 0 and {top}")
+        raise table.fail(key, notice("toml.between", low=0, high=top))
     if low > high and not wraps:
-        raise table.fail(key, "must have the smaller number first")
+        raise table.fail(key, notice("toml.order"))
     return int(low), int(high)
 
 
@@ -192,7 +195,7 @@ def _shape(table: TomlTable) -> ShapeLimits:
     default = ShapeLimits()
     low, high = table.vector("size", 2, list(default.size))
     if not 0 <= low < high:
-        raise table.fail("size", "must be two numbers, 0 or more, the smaller first")
+        raise table.fail("size", notice("colours.file_pair"))
     convexity = table.number("convexity", default.convexity, 0.0, 1.0)
     circularity = table.number("circularity", default.circularity, 0.0, 1.0)
     contrast = table.number("contrast", default.contrast, 0.0, 1.0)

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker.base.errors import GlovetrackError
+from tracker.base.notices import notice
 from tracker.kernels.arrays import Int32Matrix
 from tracker.messages import Array, BlobFrame, Blobs, IntArray, RejectedBlobs, StereoFrame
 from tracker.vision import search
@@ -219,8 +220,5 @@ def _expected(hints: DetectionHints | None) -> ExpectedBlobs:
 
 def _checked(image: Image) -> Image:
     if image.ndim != 3 or image.shape[2] != 3 or image.dtype != np.uint8:
-        raise GlovetrackError(
-            f"An image must be colour with 8 bits a channel; this one has shape {image.shape} "
-            f"and type {image.dtype}."
-        )
+        raise GlovetrackError(notice("image.format", shape=str(image.shape), type=image.dtype))
     return np.ascontiguousarray(image)

@@ -38,8 +38,8 @@ def outcomes(name: str, keys: Sequence[Key], **settings: Any) -> list[Outcome]:
 
 def words(found: Sequence[Outcome]) -> list[str]:
     """What happened, in order, without the beginning."""
-    told = [str(e.data["what"]) for outcome in found for e in outcome.events]
-    return [word for word in told if word != "begins"]
+    reported = [str(e.data["what"]) for outcome in found for e in outcome.events]
+    return [word for word in reported if word != "begins"]
 
 
 def datas(found: Sequence[Outcome], what: str) -> list[dict[str, Any]]:

@@ -64,15 +64,15 @@ def staged(window, qtbot, tmp_path, monkeypatch):
     """The window with an engine that has a stage, and the compass among the applications."""
     install(tmp_path, "compass", {"compass": f"{__name__}:Compass"}, "applications")
     monkeypatch.syspath_prepend(str(tmp_path))
-    told: list[Event] = []
+    reported: list[Event] = []
     hand, glove, _ = models()
-    stage = ApplicationStage(hand, glove, told.append)
+    stage = ApplicationStage(hand, glove, reported.append)
     engine = ScriptedEngine()
     window.host.adopt(replace(scripted_setup(engine), listeners=on(stage)))
     window.show_panel("applications")
     qtbot.waitUntil(window.panels["applications"].isVisible, timeout=10_000)
     window.ticker.stop()
-    return window.panels["applications"], stage, engine, told
+    return window.panels["applications"], stage, engine, reported
 
 
 def on(stage: ApplicationStage) -> dict[str, ReplayedApplication]:
@@ -91,8 +91,8 @@ def painted(panel) -> np.ndarray:
     return np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1)[:, ::4].copy()
 
 
-def test_what_is_chosen_is_drawn_and_its_events_are_told(staged, qtbot):
-    panel, stage, engine, told = staged
+def test_the_chosen_application_is_drawn_and_its_events_are_reported(staged, qtbot):
+    panel, stage, engine, reported = staged
     show(panel, stage, engine)
     before = painted(panel)
     panel.controls.choice.setCurrentIndex(panel.controls.choice.findData("compass"))
@@ -101,13 +101,13 @@ def test_what_is_chosen_is_drawn_and_its_events_are_told(staged, qtbot):
     assert stage.name == "compass"
     assert (painted(panel) != before).mean() > 0.01
     assert panel.result.text() == "sample 1"
-    assert [e.data["what"] for e in told] == ["begins", "sample"]
+    assert [e.data["what"] for e in reported] == ["begins", "sample"]
     panel.controls.again.click()
     show(panel, stage, engine)
-    assert [e.data["what"] for e in told[2:]] == ["begins", "sample"]
+    assert [e.data["what"] for e in reported[2:]] == ["begins", "sample"]
     panel.controls.choice.setCurrentIndex(0)
     show(panel, stage, engine)
-    assert told[-1].data["what"] == "ends"
+    assert reported[-1].data["what"] == "ends"
     assert panel.model.drawing == ()
     for _ in range(2):  # the end of the one before is not the next one's
         panel.choose("compass")
@@ -164,7 +164,7 @@ def test_each_application_says_what_to_do_now():
     assert instruction("air-drawing", progress(placed=1), True) == ""
 
 
-def test_a_touch_is_followed_by_the_instruction_and_told_with_units(staged, qtbot):
+def test_the_instruction_follows_a_touch_and_its_result_has_units(staged, qtbot):
     panel, stage, engine, _ = staged
     show(panel, stage, engine)
     tip = engine.latest_estimate().keypoints[models()[0].keypoint_names.index("index_tip")]
@@ -178,7 +178,7 @@ def test_a_touch_is_followed_by_the_instruction_and_told_with_units(staged, qtbo
 
 
 @pytest.mark.parametrize("name", OURS)
-def test_what_a_simulated_wearer_does_is_told_in_words(name):
+def test_a_show_describes_what_the_simulated_wearer_does(name):
     """Run on the show that each application has, with the true hand."""
     hand, glove, _ = models()
     stage, motion = ApplicationStage(hand, glove), scripted.show(name, hand)
@@ -208,7 +208,7 @@ def true_estimate(t: float, R_GB, p_GB, angles) -> Estimate:
 
 
 def test_settings_are_changed_in_the_form(staged):
-    panel, stage, engine, told = staged
+    panel, stage, engine, reported = staged
     panel.choose("compass")
     show(panel, stage, engine)
     panel.controls.settings.click()
@@ -222,12 +222,12 @@ def test_settings_are_changed_in_the_form(staged):
     panel.form.fields["place"].setText("far away")
     panel.form.fields["place"].editingFinished.emit()
     assert panel.form.fields["place"].text() == ""
-    changed = [e.data["key"] for e in told if e.data["what"] == "setting"]
+    changed = [e.data["key"] for e in reported if e.data["what"] == "setting"]
     assert changed == ["size", "loud", "place"]
 
 
 def test_what_runs_goes_over_to_the_hand_that_is_chosen(staged, window):
-    panel, right, engine, told = staged
+    panel, right, engine, reported = staged
     hand, glove = library.load("vist-small-left")
     left = ApplicationStage(hand, glove)
     there = replace(scripted_setup(engine), hand=hand, glove=glove, listeners=on(left))
@@ -239,7 +239,7 @@ def test_what_runs_goes_over_to_the_hand_that_is_chosen(staged, window):
     assert left.settings == CompassSettings(0.2, True, (1.0, 2.0, 3.0), "north")
     assert panel.controls.choice.currentData() == "compass" and panel.model.stage is left
     show(panel, right, engine)
-    assert told[-1].data == {"application": "compass", "hand": "right", "what": "ends"}
+    assert reported[-1].data == {"application": "compass", "hand": "right", "what": "ends"}
     window.host.show_hand("right")
     assert (right.name, left.name) == ("compass", "")
 

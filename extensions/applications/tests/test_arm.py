@@ -51,9 +51,9 @@ def block_of(outcome) -> np.ndarray:
 @pytest.mark.parametrize("commands", ["joints", "pose"])
 def test_a_hand_picks_up_the_block(commands: str) -> None:
     found = outcomes("arm", PICK, commands=commands, **SETTINGS)
-    told = words(found)
-    assert told.index("clutch") < told.index("grab") < told.index("lifted")
-    assert "release" not in told
+    reported = words(found)
+    assert reported.index("clutch") < reported.index("grab") < reported.index("lifted")
+    assert "release" not in reported
     assert block_of(found[0]) == pytest.approx([0.32, 0.0, 0.016], abs=0.001)
     assert block_of(found[-1])[2] > 0.08
 
@@ -93,8 +93,8 @@ def test_an_open_palm_stops_it_until_a_thumb_says_go_on() -> None:
         Key(3.9, "thumb_up", aside),
     ]
     found = outcomes("arm", keys, robot="127.0.0.1:9", **SETTINGS)
-    told = [w for w in words(found) if w in ("stop", "go_on", "confirm")]
-    assert told == ["stop", "go_on", "confirm"]
+    reported = [w for w in words(found) if w in ("stop", "go_on", "confirm")]
+    assert reported == ["stop", "go_on", "confirm"]
     stops = [o.t for o in found if any(e.data["what"] == "stop" for e in o.events)]
     goes = [o.t for o in found if any(e.data["what"] == "go_on" for e in o.events)]
     for outcome in found:
@@ -113,10 +113,12 @@ def test_a_palm_that_is_only_likely_stops_it_too() -> None:
     ]
     for value, stops in ((0.55, False), (0.7, True)):
         arm = RobotArm(ArmSettings(place=tuple(FOOT)))
-        told = [w.what for w in arm.step(first).events]
+        reported = [w.what for w in arm.step(first).events]
         for hand in seen:
-            told += [w.what for w in arm.step(replace(hand, values={"open_palm": value})).events]
-        assert ("stop" in told) == stops
+            reported += [
+                w.what for w in arm.step(replace(hand, values={"open_palm": value})).events
+            ]
+        assert ("stop" in reported) == stops
 
 
 def test_inverse_kinematics_reaches_what_forward_kinematics_gives() -> None:

@@ -26,7 +26,7 @@ from extensions.applications.tests.hands import GLOVE, HAND, estimates, outcomes
 from tests.fixtures import ROOT
 from tests.notices import raises
 from tracker.base.clock import nanoseconds, seconds
-from tracker.base.errors import ConfigError, FileError
+from tracker.base.errors import ConfigError, FileError, GlovetrackError
 from tracker.cli import main
 from tracker.messages import Event, Message, Tracking
 from tracker.offline.simulate import SimulateOptions
@@ -117,12 +117,12 @@ def test_the_same_hands_give_the_same_drawing_bit_for_bit(installed: None) -> No
 
 
 def test_settings_are_checked_and_a_change_is_an_event(installed: None) -> None:
-    with pytest.raises(ConfigError, match="air-drawing: width must be a float"):
+    with raises(ConfigError, "toml.number", file="air-drawing", key="width"):
         make("air-drawing", {"width": "wide"})
     with raises(ConfigError, "part.unknown"):
         kind("knitting")
     runner = ApplicationRunner("air-drawing", HAND, GLOVE, {"width": 5})
-    with pytest.raises(ConfigError, match="is not a setting"):
+    with raises(ConfigError, "toml.setting", key="height"):
         runner.set("height", 1.0)
     first, second = estimates(LINE)[:2]
     (begun,) = [e for o in runner.feed(first) for e in o.events]
@@ -141,8 +141,8 @@ def test_a_session_holds_what_it_takes_to_run_it_again(installed: None, tmp_path
     report = run_into("air-drawing", source, Into(out), {"width": 2.0})
     assert report.to_json()["events"]["line"] > 0
     with SessionReader(out) as reader:
-        told = [m for m in reader.messages((Event,)) if isinstance(m, Event)]
-    assert [(e.t, dict(e.data)) for e in told[:-1]] == [(e.t, e.data) for e in report.events]
+        reported = [m for m in reader.messages((Event,)) if isinstance(m, Event)]
+    assert [(e.t, dict(e.data)) for e in reported[:-1]] == [(e.t, e.data) for e in report.events]
     assert main(["apps", "air-drawing", str(out), "--check"]) == 0
 
 
@@ -158,7 +158,7 @@ def test_a_session_without_one_says_so(tmp_path: Path) -> None:
     from tracker.offline.simulate import simulate
 
     simulate(tmp_path / "s.mcap", SimulateOptions(duration=1.0, images=False))
-    with pytest.raises(FileError, match="holds no application"):
+    with raises(FileError, "applications.none_recorded"):
         replay(tmp_path / "s.mcap")
 
 
@@ -167,18 +167,18 @@ def test_a_failing_application_rests_and_says_why(monkeypatch: pytest.MonkeyPatc
     from extensions.applications.tests.broken import Broken
 
     monkeypatch.setattr(registry, "kind", lambda name: Broken)
-    told: list[Event] = []
-    stage = ApplicationStage(HAND, GLOVE, told.append)
+    reported: list[Event] = []
+    stage = ApplicationStage(HAND, GLOVE, reported.append)
     stage.show("broken")
     for estimate in estimates(LINE)[:5]:
         list(stage.feed(estimate))
-    assert [e.data["what"] for e in told] == ["begins", "failed"]
+    assert [e.data["what"] for e in reported] == ["begins", "failed"]
     assert stage.problem == "ZeroDivisionError: division by zero"
 
 
 def test_a_stage_tells_that_one_ended_and_begins_anew_for_a_recording(installed: None) -> None:
-    told: list[str] = []
-    stage = ApplicationStage(HAND, GLOVE, lambda e: told.append(str(e.data["what"])))
+    reported: list[str] = []
+    stage = ApplicationStage(HAND, GLOVE, lambda e: reported.append(str(e.data["what"])))
     frames = estimates(LINE)
 
     def feed(k: int) -> None:
@@ -191,19 +191,19 @@ def test_a_stage_tells_that_one_ended_and_begins_anew_for_a_recording(installed:
     feed(5)
     stage.show("")
     feed(10)
-    assert told == ["begins", "begins", "ends"]
+    assert reported == ["begins", "begins", "ends"]
 
 
 def test_each_application_that_began_ends_however_quickly_others_are_shown(installed: None) -> None:
-    told: list[str] = []
-    stage = ApplicationStage(HAND, GLOVE, lambda e: told.append(str(e.data["what"])))
+    reported: list[str] = []
+    stage = ApplicationStage(HAND, GLOVE, lambda e: reported.append(str(e.data["what"])))
     frames = estimates(LINE)
     stage.show("air-drawing")
     list(stage.feed(frames[0]))
     stage.show("air-drawing")  # never fed: it neither begins nor ends
     stage.show("")
     list(stage.feed(frames[1]))
-    assert told == ["begins", "ends"]
+    assert reported == ["begins", "ends"]
 
 
 def test_a_hand_between_two_samples_goes_on_as_it_went() -> None:
@@ -234,7 +234,7 @@ def test_a_stream_read_back_is_the_hand_that_was_sent() -> None:
     assert np.abs(read.keypoints - sent.keypoints).max() < 1e-6
     assert np.abs(read.angles - sent.angles).max() < 1e-6
     assert (read.keypoint_state == sent.keypoint_state).all()
-    with pytest.raises(Exception, match="no message of ours"):
+    with raises(GlovetrackError, "stream.not_ours"):
         from_json("{}", hand_names, 1)
 
 
@@ -281,8 +281,8 @@ def test_an_application_runs_on_a_live_stream_until_that_ends(port: int) -> None
     assert {m.t for m in found} <= {e.t for e in sent}
 
 
-def test_a_stream_without_a_hand_is_told_of_in_words(port: int) -> None:
-    with pytest.raises(StreamError, match="No hand has come"):
+def test_a_stream_without_a_hand_is_an_error(port: int) -> None:
+    with raises(StreamError, "applications.no_hand"):
         list(streamed(f"udp:{port}").messages)
-    with pytest.raises(ConfigError, match="A live stream is udp"):
+    with raises(ConfigError, "applications.address"):
         streamed("tcp:1")

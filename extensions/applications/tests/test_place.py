@@ -102,9 +102,9 @@ def test_each_touch_buzzes_and_an_open_palm_goes_back() -> None:
     found = outcomes("place", keys, **SETTINGS)
     assert words(found)[-1] == "back"
     felt = [o.t for o in found for c in o.commands if isinstance(c, MotorCommand)]
-    told = [o.t for o in found if any(e.data["what"] in ("point", "choose") for e in o.events)]
-    assert felt[0] == pytest.approx(told[0])
-    assert all(min(t - s for s in told if s <= t + 1e-9) < 0.08 for t in felt)
+    reported = [o.t for o in found if any(e.data["what"] in ("point", "choose") for e in o.events)]
+    assert felt[0] == pytest.approx(reported[0])
+    assert all(min(t - s for s in reported if s <= t + 1e-9) < 0.08 for t in felt)
 
 
 @pytest.mark.parametrize("thing", THINGS, ids=lambda t: t.name)

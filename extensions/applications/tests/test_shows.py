@@ -5,10 +5,11 @@ from __future__ import annotations
 import pytest
 
 from extensions.applications.tests.hands import datas, outcomes, words
+from tests.notices import raises
 from tracker.base.errors import ConfigError
 from tracker.simulation.shows import SHOWS, show_keys, shown_application
 
-TOLD = {
+REPORTED = {
     "touch": ["placed", "touch", "release"],
     "arm": ["placed", "clutch", "grab", "lifted", "stop", "go_on"],
     "swarm": ["placed", "nudge", "dragged", "stretched", "wall", "split", "cleared", "merge"],
@@ -18,15 +19,15 @@ TOLD = {
 
 @pytest.mark.parametrize("name", SHOWS)
 def test_a_show_does_what_its_application_is_for(name: str) -> None:
-    told = words(outcomes(name, show_keys(f"show:{name}")))
+    reported = words(outcomes(name, show_keys(f"show:{name}")))
     at = -1
-    for word in TOLD[name]:
-        assert word in told[at + 1 :], (word, told)
-        at = told.index(word, at + 1)
+    for word in REPORTED[name]:
+        assert word in reported[at + 1 :], (word, reported)
+        at = reported.index(word, at + 1)
 
 
 def test_a_show_that_there_is_not_is_refused_in_words() -> None:
-    with pytest.raises(ConfigError, match="no show 'show:juggling'; there are touch"):
+    with raises(ConfigError, "simulate.unknown_show", name="show:juggling"):
         show_keys("show:juggling")
 
 
@@ -42,8 +43,12 @@ def test_a_show_takes_its_application_to_be_where_that_puts_itself_before_the_fi
 
 
 def test_each_label_of_the_place_is_pointed_at_and_opened() -> None:
-    told = outcomes("place", show_keys("place"), **shown_application("show:place")[1])
-    assert [e["label"] for e in datas(told, "choose")] == ["Church", "Gate tower", "Round tower"]
+    reported = outcomes("place", show_keys("place"), **shown_application("show:place")[1])
+    assert [e["label"] for e in datas(reported, "choose")] == [
+        "Church",
+        "Gate tower",
+        "Round tower",
+    ]
 
 
 def test_other_motions_use_no_application() -> None:

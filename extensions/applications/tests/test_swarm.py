@@ -77,8 +77,8 @@ def test_an_open_palm_splits_it_and_a_fist_makes_it_one() -> None:
         Key(3.3, "fist", down, edge),
     ]
     found = outcomes("swarm", keys, **SWARM)
-    told = words(found)
-    assert told.index("split") < told.index("merge")
+    reported = words(found)
+    assert reported.index("split") < reported.index("merge")
     (split,) = datas(found, "split")
     assert sum(split["drones"]) == 60
     assert min(split["drones"]) > 15
@@ -181,7 +181,7 @@ def test_slots_are_as_far_apart_as_was_asked() -> None:
     assert after.v[0] == pytest.approx([0.01 * 60.0 * 0.1, 0.0, 0.0])
 
 
-def test_a_fleet_goes_where_it_is_told_no_faster_than_it_can() -> None:
+def test_a_fleet_moves_to_its_target_within_its_speed_limit() -> None:
     fleet = Fleet(3)
     fleet.wanted_p[1] = [10.0, -5.0, 3.0]
     fastest = 0.0

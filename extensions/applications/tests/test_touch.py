@@ -1,4 +1,4 @@
-"""Touching: contact of each fingertip as geometry has it, and what motors are told."""
+"""Touching: contact of each fingertip as geometry has it, and the commands that motors receive."""
 
 from __future__ import annotations
 
@@ -100,21 +100,21 @@ def test_arrows_point_out_of_the_surface(table: str) -> None:
     assert all(a.points[1, 2] > a.points[0, 2] for a in arrows)
 
 
-def test_motors_are_told_of_changes_and_rest_when_let_go() -> None:
-    told: list[tuple[int, int, int]] = []
+def test_motors_receive_changes_and_stop_after_a_release() -> None:
+    sent: list[tuple[int, int, int]] = []
     events: list[Event] = []
     now = [5.0]
-    sink = MotorSink(lambda *args: told.append(args) is None, lambda: now[0], events.append)
+    sink = MotorSink(lambda *args: sent.append(args) is None, lambda: now[0], events.append)
     command = MotorCommand("middle_tip", 0.5)
     for k in range(5):
         sink.take([command], 0.005 * k)
-    assert told == [(2, 128, LASTS_MS)]
+    assert sent == [(2, 128, LASTS_MS)]
     sink.take([command], 0.04)  # lest it stops by itself
-    assert told[1:] == [(2, 128, LASTS_MS)]
+    assert sent[1:] == [(2, 128, LASTS_MS)]
     sink.take([command._replace(strength=0.8)], 0.045)
     sink.take([], 0.05)
     sink.take([], 0.055)
-    assert told[2:] == [(2, 204, LASTS_MS), (2, 0, 1)]
+    assert sent[2:] == [(2, 204, LASTS_MS), (2, 0, 1)]
     assert [(e.t, e.data["of"]) for e in events] == [(5.0, 0.0), (5.0, 0.045), (5.0, 0.05)]
 
 
@@ -126,16 +126,16 @@ def test_three_pulls_make_the_push() -> None:
         x, y, z = (wanted / strength).tolist()
         made = pulls(MotorCommand("index_tip", strength, (x, y, z), 3))
         assert made @ PULLS == pytest.approx(wanted)
-    told: list[tuple[int, int, int]] = []
-    sink = MotorSink(lambda *args: told.append(args) is None, lambda: 0.0)
+    sent: list[tuple[int, int, int]] = []
+    sink = MotorSink(lambda *args: sent.append(args) is None, lambda: 0.0)
     sink.take([MotorCommand("index_tip", 1.0, (0.0, 0.0, 1.0), 3)], 0.0)
-    assert [t[0] for t in told] == [THREE + 3, THREE + 4, THREE + 5]
-    assert len({t[1] for t in told}) == 1  # straight on: all alike
+    assert [t[0] for t in sent] == [THREE + 3, THREE + 4, THREE + 5]
+    assert len({t[1] for t in sent}) == 1  # straight on: all alike
     sink.close()
-    assert [t[1] for t in told[3:]] == [0, 0, 0]
+    assert [t[1] for t in sent[3:]] == [0, 0, 0]
 
 
-def test_what_a_motor_did_not_hear_is_told_with_the_next_sample_and_no_event_before() -> None:
+def test_a_lost_motor_command_is_sent_again_with_the_next_sample_and_no_event_before() -> None:
     room = [False]
     events: list[Event] = []
     sink = MotorSink(lambda *_: room[0], lambda: 5.0, events.append)

@@ -13,6 +13,7 @@ from extensions.conformance.isaac.record import HandRecord, decode
 from extensions.conformance.isaac.schema import NAME
 from tracker.base.errors import FileError
 from tracker.base.files import check_regular
+from tracker.base.notices import notice
 from tracker.hand.names import SIDES
 
 
@@ -27,6 +28,6 @@ def read_records(path: Path) -> Iterator[tuple[str, HandRecord]]:
                 if side is not None and schema is not None and schema.name == NAME:
                     yield side, decode(message.data)
     except (McapError, struct.error, EOFError) as error:
-        raise FileError(f"{path} is not an MCAP file, or it is truncated.") from error
+        raise FileError(notice("isaac.not_mcap", path=path)) from error
     except OSError as error:
-        raise FileError(f"{path} cannot be read: {error.strerror}.") from error
+        raise FileError(notice("file.not_readable", path=path, why=error.strerror)) from error

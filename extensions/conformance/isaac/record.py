@@ -11,6 +11,7 @@ import numpy as np
 from flatbuffers.table import Table
 
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.hand.openxr import JOINTS, OpenXrHand
 from tracker.messages import Validity
 
@@ -108,7 +109,7 @@ def decode(data: bytes) -> HandRecord:
     try:
         return _decode(data)
     except (ValueError, TypeError, IndexError, struct.error) as error:
-        raise FileError("A hand record is damaged.") from error
+        raise FileError(notice("isaac.damaged")) from error
 
 
 def _decode(data: bytes) -> HandRecord:

@@ -52,15 +52,15 @@ class Follower(ScriptedEngine):
         shown, _ = cues(hand.side)
         self.hand, self.clock, self.began, self.lazy = hand, clock, np.inf, False
         self.poses = poses_of_script(hand, tuple(shown[len(WARM_UP) :]))
-        self.told = 0
+        self.written = 0
 
     def go_on(self) -> None:
         """Estimates up to now go into the recording."""
         if self.recorder is None:
             return
-        while self.began + self.told / HZ <= self.clock.now:
-            self.recorder.write(self.estimate(self.told / HZ))
-            self.told += 1
+        while self.began + self.written / HZ <= self.clock.now:
+            self.recorder.write(self.estimate(self.written / HZ))
+            self.written += 1
 
     def estimate(self, t: float) -> Estimate:
         row = 0 if self.lazy else min(round(t * HZ), len(self.poses.angles) - 1)
@@ -224,13 +224,13 @@ def test_another_recording_is_not_disturbed(dialog, window, clock):
 
 
 @pytest.mark.parametrize("side", ["left", "right"])
-def test_each_side_is_told_its_own_part_of_the_grips(side):
+def test_each_side_gets_its_own_part_of_the_grips(side):
     begun: list[tuple[str, float]] = []
     run = ScriptRun(side, lambda label, t: begun.append((label, t)))
     run.start(7.0)
-    told, t = {}, 7.0
+    written, t = {}, 7.0
     while run.is_running:
-        told[run.label] = (run.words(), run.drawn())
+        written[run.label] = (run.words(), run.drawn())
         t += 0.2
         run.tick(t)
     assert [label for label, _ in begun] == list(SCRIPT)
@@ -241,9 +241,9 @@ def test_each_side_is_told_its_own_part_of_the_grips(side):
     assert [t for _, t in begun] == pytest.approx(wanted)
     for label, whose in GRASPS.items():
         fist = whose == side
-        assert told[label][1] == ("fist" if fist else "grip")
-        assert told[label][0].startswith("A fist" if fist else "Grip")
-    assert {drawn for _, drawn in told.values()} <= DRAWN.keys()
+        assert written[label][1] == ("fist" if fist else "grip")
+        assert written[label][0].startswith("A fist" if fist else "Grip")
+    assert {drawn for _, drawn in written.values()} <= DRAWN.keys()
 
 
 def test_the_drawn_hand_turns_from_side_to_side():

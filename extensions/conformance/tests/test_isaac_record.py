@@ -14,6 +14,7 @@ from extensions.conformance.isaac.record import HandRecord, Stamps, decode, enco
 from extensions.conformance.isaac.schema import SE3, binary_schema
 from extensions.conformance.isaac.writer import IsaacWriter
 from tests.fixtures import RESOURCES
+from tests.notices import raises
 from tracker.base.errors import FileError
 from tracker.geometry import so3
 from tracker.hand.files import load_hand
@@ -212,7 +213,7 @@ def test_records_come_back_to_the_bit_and_damage_is_said() -> None:
     assert again.stamps == record.stamps and (again.joints == record.joints).all()
     assert decode(encode(HandRecord(Stamps(1, 1, 1), None))).joints is None
     for length in (0, 3, 8, 40, 500):
-        with pytest.raises(FileError, match="damaged"):
+        with raises(FileError, "isaac.damaged"):
             decode(data[:length])
 
 
@@ -221,7 +222,7 @@ def test_our_reader_reads_what_was_written(tmp_path: Path) -> None:
     found = list(read_records(written(tmp_path / "take.mcap", hands)))
     assert [side for side, _ in found] == ["left", "right"] * 4
     assert found[7][1].stamps == Stamps(33_000_000, 30_000_000, 20)
-    with pytest.raises(FileError, match="not an MCAP"):
+    with raises(FileError, "isaac.not_mcap"):
         (tmp_path / "x.mcap").write_bytes(b"not one")
         list(read_records(tmp_path / "x.mcap"))
 
@@ -230,7 +231,7 @@ def test_a_live_record_is_replayed_and_nothing_is_overwritten(tmp_path: Path, ha
     path = tmp_path / "live.mcap"
     settings, names = with_streams(StreamSettings(), f"isaac:{path}"), [Names.of(hand, glove)]
     (publisher,) = open_streams(settings, names)["isaac"]
-    with pytest.raises(StreamError, match="cannot be created"):
+    with raises(StreamError, "file.not_created"):
         open_streams(settings, names)
     rng = np.random.default_rng(2)
     wanted = []
@@ -254,7 +255,7 @@ def test_a_live_record_is_replayed_and_nothing_is_overwritten(tmp_path: Path, ha
     assert "glovetrack_right_index_tip/se3_tracker_tracked" in topics
     stamps = [r.stamps for _, r in read_records(path)]
     assert all(s.available >= s.sample for s in stamps)
-    with pytest.raises(StreamError, match="Specify a file"):
+    with raises(StreamError, "isaac.no_file"):
         open_streams(StreamSettings({"isaac": True}), names)
 
 

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.base.terminal import add_json
 
 if TYPE_CHECKING:
@@ -62,7 +63,7 @@ def evaluate_effects(args: argparse.Namespace) -> int:
     check_json(args)
     ENGINES.get(args.engine)  # raises ConfigError if the name is unknown
     if args.participants < 1 or args.seconds < 5:
-        raise ConfigError("--participants must be at least 1, and --seconds at least 5.")
+        raise ConfigError(notice("evaluation.effects_options"))
     names = [n for n in (SHORT if args.short else EFFECTS) if args.images or n != "flicker"]
     how = args.engine, args.images, args.fps, args.seconds
     seeds = range(args.seed, args.seed + args.participants)

@@ -83,7 +83,7 @@ def _report(scores: list[GestureScore]) -> dict[str, Any]:
         rows[name] = {
             "held": len(held),
             "right_percent": 100 * float(np.mean([h.right for h in held])),
-            "told_in_time": len(delays),
+            "reported_in_time": len(delays),
             "delay_ms": 1e3 * float(np.median(delays)) if delays else None,
         }
     minutes = sum(one.free_time for one in scores) / 60

@@ -42,7 +42,7 @@ class RecordedScore:
             "name": self.name,
             "seconds": self.seconds,
             "shown": dict(self.shown),
-            "told": dict(self.detected),
+            "reported": dict(self.detected),
             "false": dict(self.false),
             "false_per_minute": 60 * self.false.total() / max(self.seconds, 1e-9),
             "delay_ms_median": float(np.median(delays)) if len(delays) else None,

@@ -8,6 +8,7 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.base.terminal import add_json
 
 if TYPE_CHECKING:
@@ -50,7 +51,7 @@ def evaluate_hands(args: argparse.Namespace) -> int:
     check_json(args)
     ENGINES.get(args.engine)  # raises ConfigError if the name is unknown
     if args.pairs < 1 or args.seconds < 4 or not 5 <= args.fps <= 240:
-        raise ConfigError("--pairs must be at least 1, --seconds at least 4, and --fps 5 to 240.")
+        raise ConfigError(notice("evaluation.hands_options"))
     seeds = range(args.seed, args.seed + args.pairs)
     tasks = [WorkItem(run_trial, (seed, args.seconds, args.engine, args.fps)) for seed in seeds]
     with some_workers(max(1, min(args.processes, args.pairs))) as workers:

@@ -23,6 +23,7 @@ from extensions.evaluation.inertial.peers import (
     vqf_orientation,
 )
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.inertial.descent import plain_madgwick
 from tracker.inertial.segments import SegmentFilters
 from tracker.messages import Array
@@ -69,7 +70,7 @@ def read_trial(path: Path) -> BroadTrial:
             moving & np.isfinite(q_wxyz).all(axis=1),
         )
     except (OSError, ValueError, KeyError, NotImplementedError, MatReadError) as error:
-        raise FileError(f"{path} is not a recording of the BROAD data set: {error}.") from error
+        raise FileError(notice("evaluation.not_broad", path=path, why=error)) from error
 
 
 def filters() -> dict[str, OrientationFilter]:
@@ -94,7 +95,7 @@ def trial_paths(folder: Path) -> list[Path]:
     """The recordings in a folder, sorted by name. Raises FileError if there are none."""
     found = sorted(folder.glob("*.mat"))
     if not found:
-        raise FileError(f"{folder} contains no BROAD recordings (*.mat).")
+        raise FileError(notice("evaluation.no_broad", folder=folder))
     return found
 
 

@@ -6,6 +6,7 @@ import argparse
 from typing import Any
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.base.terminal import add_json, check_json, finish, progress_line
 
 GOAL_MM = 5.0
@@ -48,7 +49,7 @@ def evaluate_robot(args: argparse.Namespace) -> int:
     try:
         from extensions.robot.library import need_mujoco
     except ImportError as error:
-        raise ConfigError("This protocol requires the extension extensions/robot.") from error
+        raise ConfigError(notice("evaluation.no_robot")) from error
     from extensions.evaluation.robot.score import tip_score
     from extensions.robot.hand import load_hand
     from extensions.robot.pick_and_place import pick_and_place

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.base.terminal import add_json
 
 if TYPE_CHECKING:
@@ -87,9 +88,7 @@ def evaluate_shutter(args: argparse.Namespace) -> int:
     check_json(args)
     ENGINES.get(args.engine)  # raises ConfigError if the name is unknown
     if args.participants < 1 or args.seconds < 5 or not 0 < args.readout_ms <= 50:
-        raise ConfigError(
-            "--participants must be at least 1, --seconds at least 5, and --readout-ms up to 50."
-        )
+        raise ConfigError(notice("evaluation.shutter_options"))
     movements = [(speed, 0.0) for speed in args.speeds]
     if args.turning_deg:
         movements.append((args.speeds[0], args.turning_deg))

@@ -9,6 +9,7 @@ import pytest
 
 from extensions.evaluation.hands.command import summary, table
 from extensions.evaluation.hands.trial import HandFigures, longest
+from tests.notices import shows
 from tracker.base.workers import WorkItem, run_all
 from tracker.cli import main
 
@@ -43,9 +44,9 @@ def test_a_pair_is_tracked_by_the_command(tmp_path: Path) -> None:
         assert row["confusion"] < 1.1, "what the other hand's markers cost"
 
 
-def test_an_unknown_engine_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_unknown_engine_is_an_error(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["evaluate", "hands", "--engine", "none"]) != 0
-    assert 'There is no engine "none"' in capsys.readouterr().err
+    assert shows(capsys.readouterr().err, "part.unknown", name="none")
 
 
 class NobodyLeft:

@@ -25,6 +25,7 @@ from extensions.evaluation.inertial.motion import (
 )
 from extensions.evaluation.inertial.peers import available, peer_angles
 from tests.fixtures import DATA
+from tests.notices import raises
 from tracker import GRAVITY
 from tracker.base.errors import FileError
 from tracker.cli import build_parser
@@ -145,9 +146,9 @@ def test_scores_split_a_known_error_into_heading_and_inclination() -> None:
 
 def test_a_file_that_is_no_recording_is_refused_in_words(tmp_path: Path) -> None:
     (tmp_path / "x.mat").write_bytes(b"nothing")
-    with pytest.raises(FileError, match="not a recording of the BROAD data set"):
+    with raises(FileError, "evaluation.not_broad"):
         inertial_broad.read_trial(tmp_path / "x.mat")
-    with pytest.raises(FileError, match="contains no BROAD recordings"):
+    with raises(FileError, "evaluation.no_broad"):
         inertial_broad.trial_paths(tmp_path / "nowhere")
 
 
@@ -197,5 +198,5 @@ def test_the_command_writes_what_the_contract_names(
 def test_a_missing_folder_of_recordings_is_said_before_the_work(tmp_path: Path) -> None:
     words = ["evaluate", "inertial", "--broad", str(tmp_path / "none")]
     args = build_parser(words).parse_args(words)
-    with pytest.raises(FileError, match="no BROAD recordings"):
+    with raises(FileError, "evaluation.no_broad"):
         args.command.start(args)

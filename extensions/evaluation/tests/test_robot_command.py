@@ -11,6 +11,7 @@ from extensions.robot.pick_and_place import pick_and_place
 from extensions.robot.settings import RobotSettings
 from extensions.robot.teleop import Teleop
 from extensions.robot.tests.hands import shadow
+from tests.notices import shows
 from tracker.cli import main
 
 
@@ -45,4 +46,4 @@ def test_without_the_robot_extension_this_protocol_alone_is_missing(
     # as if the folder were removed
     monkeypatch.setitem(sys.modules, "extensions.robot.library", None)
     assert main(["evaluate", "robot"]) == 1
-    assert "requires the extension extensions/robot" in capsys.readouterr().err
+    assert shows(capsys.readouterr().err, "evaluation.no_robot")

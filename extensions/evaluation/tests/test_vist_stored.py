@@ -12,6 +12,7 @@ from extensions.evaluation.vist.cases import Case
 from extensions.evaluation.vist.metrics import Trial, WholeHand
 from extensions.evaluation.vist.run import run_cases
 from extensions.evaluation.vist.stored import PROGRAM, StoredTrials
+from tests.notices import raises
 from tracker.base.errors import ConfigError, FileError
 
 CASES = [Case("free", "chain"), Case("free", "vist", ablation="loose")]
@@ -89,13 +90,13 @@ def test_trials_of_another_case_are_not_taken(
     assert stored.find(case, 0) is None
 
 
-def test_another_program_and_damage_are_told_in_words(tmp_path: Path) -> None:
+def test_trials_of_another_version_and_damaged_trials_are_rejected(tmp_path: Path) -> None:
     stored = StoredTrials(tmp_path)
     stored.add(CASES[0], Participants()(CASES[0], 0))
     (file,) = tmp_path.glob("free-chain-*-00.npz")
     file.write_bytes(file.read_bytes()[:-100])
-    with pytest.raises(FileError, match="damaged"):
+    with raises(FileError, "vist.damaged_trial"):
         stored.find(CASES[0], 0)
     (tmp_path / PROGRAM).write_text("glovetrack 0.0.9 abc\n")
-    with pytest.raises(ConfigError, match="another version of the program"):
+    with raises(ConfigError, "vist.other_version"):
         StoredTrials(tmp_path)

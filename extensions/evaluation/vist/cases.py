@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.engine.settings import Settings
 from tracker.messages import BlobFrame, Event, ImuSample, StereoFrame
 from tracker.simulation.scenario import Message
@@ -23,7 +24,7 @@ SETTLING = 5.0
 Feed = Iterator[Message | Event]
 PAPERS_GLOVE, DISTAL_GLOVE = "vist-small", "vist-small-distal"
 GUIDED = {
-    "untold": "poses held, but not announced to the tracker",
+    "unannounced": "poses held, but not announced to the tracker",
     "guided": "guided poses",
     "badly": "guided poses held badly",
     "known": "known from another session",
@@ -242,5 +243,7 @@ def ablation_of(case: Case) -> Ablation | None:
         return None
     found = ABLATIONS.get(case.ablation)
     if found is None:
-        raise ConfigError(f"Unknown ablation {case.ablation!r}. Available: {', '.join(ABLATIONS)}.")
+        raise ConfigError(
+            notice("vist.unknown", what="ablation", name=case.ablation, known=tuple(ABLATIONS))
+        )
     return found

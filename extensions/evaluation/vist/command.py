@@ -13,6 +13,7 @@ from extensions.evaluation.vist.options import ENGINES_OF, VistOptions
 from tracker.base.arguments import add_options, options_of
 from tracker.base.errors import ConfigError
 from tracker.base.files import check_folder_target
+from tracker.base.notices import notice
 from tracker.base.terminal import add_json, check_json, write_json
 
 QUICK_PARTICIPANTS = 2
@@ -90,7 +91,7 @@ def cases_of(args: VistOptions) -> list[Any]:
     _known(args.experiments, EXPERIMENTS, "experiment")
     missing = [str(f) for f in args.motion if not f.is_file()]
     if missing:
-        raise ConfigError(f"Motion file not found: {missing[0]}.")
+        raise ConfigError(notice("file.missing", path=missing[0]))
     if args.wearer is not None:
         _check_wearer(args.wearer, engines)
     experiments = ("free",) if args.quick or args.motion else args.experiments
@@ -116,12 +117,12 @@ def _check_lenses(lenses: str, engines: Sequence[str]) -> None:
 
     blind = [e for e in engines if not capabilities_of(e).images]
     if lenses == "none" and len(blind) < len(engines):
-        raise ConfigError("Only the engine inertial can be evaluated without a camera.")
+        raise ConfigError(notice("vist.needs_camera"))
     if lenses != "none" and blind:
-        raise ConfigError("The engine inertial does not use images: add --lenses none.")
+        raise ConfigError(notice("vist.no_images"))
     stereo = [e for e in engines if not capabilities_of(e).one_lens]
     if lenses == "one" and stereo:
-        raise ConfigError(f"The engine {stereo[0]} needs both lenses: add --engines chain.")
+        raise ConfigError(notice("vist.both_lenses", engine=stereo[0]))
 
 
 def _check_wearer(path: Path, engines: Sequence[str]) -> None:
@@ -131,7 +132,7 @@ def _check_wearer(path: Path, engines: Sequence[str]) -> None:
     from tracker.fusion.chain.layout import ChainLayout
 
     if tuple(engines) not in (("chain",), ("inertial",)):
-        raise ConfigError("Only the engine chain takes a wearer's profile: add --engines chain.")
+        raise ConfigError(notice("vist.profile_engine"))
     read_wearer(path, ChainLayout(*models()))
 
 
@@ -159,7 +160,7 @@ def _guided(case: Any) -> list[Any]:
     rows = [replace(case, guided=how) for how in GUIDED]
     if case.lenses == "none":
         return rows
-    return [*rows, replace(case, guided="untold", glove=DISTAL_GLOVE, wearer="")]
+    return [*rows, replace(case, guided="unannounced", glove=DISTAL_GLOVE, wearer="")]
 
 
 def _ablations(names: Sequence[str], cases: Sequence[Any]) -> list[Any]:
@@ -184,4 +185,4 @@ def _ablations(names: Sequence[str], cases: Sequence[Any]) -> list[Any]:
 def _known(names: Sequence[str], known: Sequence[str] | Mapping[str, Any], what: str) -> None:
     for name in names:
         if name not in known:
-            raise ConfigError(f"Unknown {what} {name!r}. Available: {', '.join(known)}.")
+            raise ConfigError(notice("vist.unknown", what=what, name=name, known=tuple(known)))

@@ -13,6 +13,7 @@ from extensions.evaluation.vist.metrics import Trial
 from extensions.evaluation.vist.paper import CAVEAT, HEAD_NOTE, PAPER
 from extensions.evaluation.vist.report_figures import FIGURES, Group, variants
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.hand.names import MARKED_KEYPOINTS
 
 TITLES = {
@@ -71,7 +72,7 @@ def write_report(
         path = folder / "report.html"
         path.write_text(_page("".join(page)), encoding="utf-8")
     except OSError as error:
-        raise FileError(f"The report could not be written: {error}.") from error
+        raise FileError(notice("evaluation.report_not_written", why=error)) from error
     return path
 
 

@@ -23,6 +23,7 @@ from extensions.evaluation.vist.cases import Case
 from extensions.evaluation.vist.metrics import Trial, WholeHand
 from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import sha256, slug, write_with_folder
+from tracker.base.notices import notice
 
 PROGRAM = "program.txt"
 CASE = "case"  # stored in the file with the fields of a trial
@@ -38,10 +39,7 @@ class StoredTrials:
         self._folder, self._program = folder, program()
         written = folder / PROGRAM
         if written.is_file() and written.read_text(encoding="utf-8") != self._program:
-            raise ConfigError(
-                f"{folder} contains trials of another version of the program, which cannot be "
-                "combined with new ones. Choose another folder, or empty it."
-            )
+            raise ConfigError(notice("vist.other_version", folder=folder))
 
     def find(self, case: Case, participant: int) -> Trial | None:
         """A stored trial, or None. Raises FileError if its file is damaged."""
@@ -53,9 +51,7 @@ class StoredTrials:
                 values = {f.name: file[f.name] for f in fields(Trial) if f.name != WHOLE}
                 parts = {f.name: file[f"{WHOLE}_{f.name}"] for f in fields(WholeHand)}
         except (OSError, ValueError, KeyError, zipfile.BadZipFile) as error:
-            raise FileError(
-                f"The stored trial {path} is damaged. Delete it to compute it again."
-            ) from error
+            raise FileError(notice("vist.damaged_trial", path=path)) from error
         names = tuple(map(str, parts.pop("names")))
         whole = WholeHand(names, **parts) if names else None
         return Trial(**{name: v if v.ndim else v.item() for name, v in values.items()}, whole=whole)

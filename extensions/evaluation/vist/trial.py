@@ -71,7 +71,7 @@ def run_trial(case: Case, participant: int) -> Trial:
     judged_from = 0.0
     if case.is_led:
         motion = led = guided_motion(case, hand, glove, motion, seed)
-        events, judged_from = [] if case.guided == "untold" else led.events, led.free_from
+        events, judged_from = [] if case.guided == "unannounced" else led.events, led.free_from
     simulation = simulation_of(case, hand, glove, motion, seed, variant)
     settings = replace(Settings(), engine=case.engine)
     if variant is not None:

@@ -28,7 +28,7 @@ from websockets.sync.client import ClientConnection, connect
 
 from extensions.foxglove.live import FoxglovePublisher
 from extensions.foxglove.scene import estimate_schema
-from tests.notices import raises
+from tests.notices import raises, shows
 from tracker.hand.names import bones
 from tracker.messages import Validity
 from tracker.streaming.client_queue import BACKLOG
@@ -278,21 +278,27 @@ def test_unsubscribing_ends_a_topic_and_leaves_the_other(
 
 
 @pytest.mark.parametrize(
-    ("said", "answer"),
+    ("request_text", "code"),
     [
-        ("nonsense", "not understood"),
-        ("[]", "not understood"),
-        ("[" * 60000, "not understood"),
-        ('{"op": "subscribe"}', "not understood"),
-        ('{"op": "subscribe", "subscriptions": [{"id": -1, "channelId": 1}]}', "not understood"),
-        ('{"op": "subscribe", "subscriptions": [{"id": 1, "channelId": 99}]}', "no channel 99"),
-        ('{"op": "getParameters", "parameterNames": []}', "no operation 'getParameters'"),
+        ("nonsense", "foxglove.not_understood"),
+        ("[]", "foxglove.not_understood"),
+        ("[" * 60000, "foxglove.not_understood"),
+        ('{"op": "subscribe"}', "foxglove.not_understood"),
+        (
+            '{"op": "subscribe", "subscriptions": [{"id": -1, "channelId": 1}]}',
+            "foxglove.not_understood",
+        ),
+        (
+            '{"op": "subscribe", "subscriptions": [{"id": 1, "channelId": 99}]}',
+            "foxglove.no_channel",
+        ),
+        ('{"op": "getParameters", "parameterNames": []}', "foxglove.no_operation"),
     ],
 )
-def test_nonsense_gets_an_answer_and_the_client_stays(client, server, said, answer) -> None:
-    client.connection.send(said)
+def test_nonsense_gets_an_answer_and_the_client_stays(client, server, request_text, code) -> None:
+    client.connection.send(request_text)
     status = client.text("status")
-    assert status["level"] == 2 and answer in status["message"]
+    assert status["level"] == 2 and shows(status["message"], code)
     client.subscribe(TOPIC)
     client.say("no such thing")
     client.text("status")
@@ -389,7 +395,7 @@ def test_a_taken_port_is_said_in_words_and_closing_frees_it(names, make_estimate
         FoxglovePublisher(names, port=first.port)
     first.close()
     first.close()
-    with pytest.raises(StreamError, match="closed"):
+    with raises(StreamError, "stream.closed"):
         first.send(make_estimate())
     FoxglovePublisher(names, port=first.port).close()
 

@@ -142,7 +142,7 @@ def test_images_go_to_ffmpeg_as_they_are(tmp_path: Path, monkeypatch: pytest.Mon
     assert (tmp_path / "a.mp4").read_bytes() == images[:, :, ::-1].tobytes()
 
 
-def test_an_ffmpeg_that_ends_early_is_told_in_its_words(
+def test_the_message_of_an_ffmpeg_that_ends_early_is_reported(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     program(tmp_path, "import sys\nsys.exit('no space left')")

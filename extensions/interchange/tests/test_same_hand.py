@@ -284,7 +284,7 @@ def test_a_hole_stays_a_hole_in_c3d_and_trc(holed: Path) -> None:
     assert not any(np.array(empty)[(t > START) & (t < HOLE[0])])
 
 
-def test_a_hole_stands_still_in_bvh_and_is_told(holed: Path) -> None:
+def test_a_hole_keeps_the_last_pose_in_bvh_and_is_reported(holed: Path) -> None:
     out = holed.with_name("o.bvh")
     export(holed, "bvh", out, force=True)
     motion = out.read_text().split("Frame Time:")[1].split("\n")[1:]
@@ -318,14 +318,14 @@ def test_formats_say_how_sure_each_point_is(holed: Path) -> None:
     export(holed, "glb", out, force=True)
     t, _, rows = table(holed)
     gltf, glb = GLTF2().load(str(out)), Glb(out)
-    told = gltf.asset.extras["accessors"]
-    assert np.allclose(glb._values(told["t"])[:, 0], t, atol=1e-5)
+    extras = gltf.asset.extras["accessors"]
+    assert np.allclose(glb._values(extras["t"])[:, 0], t, atol=1e-5)
     for name in ("index_tip", "ring_tip"):
-        state = glb._values(told["state"][name])[:, 0]
+        state = glb._values(extras["state"][name])[:, 0]
         words = {0: "lost", 1: "inferred", 2: "measured"}
         assert [words[int(s)] for s in state] == [r[f"{name}_state"] for r in rows]
         sd = np.array([float(r[f"{name}_sd"] or -1) for r in rows])
-        assert np.allclose(glb._values(told["sd"][name])[:, 0], sd, atol=1e-6)
+        assert np.allclose(glb._values(extras["sd"][name])[:, 0], sd, atol=1e-6)
     said = export(holed, "bvh", holed.with_name("o.bvh"), force=True)["certainty"]["ring_tip"]
     assert said["measured"] + said["inferred"] + said["lost"] == pytest.approx(1.0, abs=1e-5)
     assert said["lost"] > 0.1 and 0 < said["sd_m"] < 0.1

@@ -7,11 +7,11 @@ import json
 import socket
 
 import numpy as np
-import pytest
 from numpy.testing import assert_allclose
 
 from extensions.landmarks.mediapipe import View, hand_result
 from glovetrack.conventions import MEDIAPIPE
+from tests.notices import raises
 from tracker.streaming.connection import LOOPBACK
 from tracker.streaming.publisher import Names, StreamError
 from tracker.streaming.registry import StreamSettings, open_streams, with_streams
@@ -55,5 +55,5 @@ def test_a_hand_with_a_lost_landmark_is_absent(make_estimate, names: Names) -> N
 
 
 def test_an_image_has_a_width(names: Names) -> None:
-    with pytest.raises(StreamError, match="more than 0 m"):
+    with raises(StreamError, "option.positive"):
         open_streams(with_streams(StreamSettings(), "mediapipe?width=0"), [names])

@@ -57,10 +57,10 @@ def test_a_marker_is_a_note_at_its_own_instant(outlet: pylsl.StreamOutlet, wait_
         (request,) = taken.requests
         assert request.do == "note" and request.text == "go 7"
         assert request.t == pytest.approx(t, abs=0.005)
-        told = request.data["lsl"]
-        assert isinstance(told, dict)
-        assert (told["stream"], told["source"]) == ("Stimuli", "lab-7")
-        assert told["stamp"] == stamp and abs(told["clock_offset_s"]) < 0.005
+        source = request.data["lsl"]
+        assert isinstance(source, dict)
+        assert (source["stream"], source["source"]) == ("Stimuli", "lab-7")
+        assert source["stamp"] == stamp and abs(source["clock_offset_s"]) < 0.005
         counts = door.counts()
         assert (counts.asked, counts.refused, counts.clients) == (1, 0, 1)
         for k in range(300):

@@ -9,6 +9,7 @@ from pathlib import Path
 from extensions.movement.report.measure import MeasuredTake, measure_hands
 from tracker.base.errors import ConfigError
 from tracker.base.files import check_target, whole_files
+from tracker.base.notices import notice
 
 SVG_HEAD = '<?xml version="1.0" encoding="utf-8"?>\n'
 
@@ -27,7 +28,7 @@ def write_report(
     if the name does not end in .html, FileError for a session without estimates.
     """
     if out.suffix.lower() not in (".html", ".htm"):
-        raise ConfigError(f"The report is an HTML page: {out.name} must end in .html.")
+        raise ConfigError(notice("option.html", file=out.name))
     for target in (out, out.with_suffix(".csv")):
         check_target(target, force, sessions)
     takes = []

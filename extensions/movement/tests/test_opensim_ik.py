@@ -112,9 +112,9 @@ def test_markers_give_the_angles_within_a_degree(files: tuple[Path, Array], make
     tool.set_accuracy(ACCURACY)
     assert tool.run()
     names, found = columns(folder / "found.mot")
-    told, mot = columns(folder / "o.mot")
-    assert told == list(maker.info.hand.joint_names) and len(found) == COUNT
-    mine = found[:, [names.index(n) for n in told]]
+    columns_read, mot = columns(folder / "o.mot")
+    assert columns_read == list(maker.info.hand.joint_names) and len(found) == COUNT
+    mine = found[:, [names.index(n) for n in columns_read]]
     assert np.abs(mine - truth).max() < 1.0
     assert np.abs(mine - mot).max() < 1.0
 

@@ -78,9 +78,9 @@ def test_a_data_set_holds_the_numbers_and_says_which(
     export(path, "bids", tmp_path / "set")
     stem = tmp_path / "set" / "sub-P07" / "motion" / "sub-P07_task-movement_tracksys-"
     for system in ("hand", "imu"):
-        told = (Path(f"{stem}{system}_channels.tsv")).read_text().splitlines()
+        lines = (Path(f"{stem}{system}_channels.tsv")).read_text().splitlines()
         rows = (Path(f"{stem}{system}_motion.tsv")).read_text().splitlines()
-        names = [line.split("\t")[0] for line in told[1:]]
+        names = [line.split("\t")[0] for line in lines[1:]]
         said = json.loads(Path(f"{stem}{system}_motion.json").read_text())
         assert said["SamplingFrequency"] == pytest.approx(100)
         assert {len(r.split("\t")) for r in rows} == {len(names)} == {said["MotionChannelCount"]}

@@ -22,6 +22,7 @@ from extensions.movement.report.course import (
     turns,
 )
 from extensions.movement.report.measure import measure, rows
+from tests.notices import raises
 from tracker.base.errors import ConfigError
 from tracker.cli import main
 from tracker.hand.model import HandModel
@@ -82,7 +83,7 @@ def sessions(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
     return simulated, tracked
 
 
-def test_a_simulated_take_is_told_as_it_was(sessions: tuple[Path, Path]) -> None:
+def test_the_report_of_a_simulated_recording_matches_its_truth(sessions: tuple[Path, Path]) -> None:
     found = measure(sessions[1])
     with SessionReader(sessions[0]) as reader:
         truth = list(reader.truth())
@@ -176,7 +177,7 @@ def test_isb_turns_about_flexion_first(sessions: tuple[Path, Path]) -> None:
     assert found["index_mcp_isb_flexion"] == pytest.approx(flexion)
 
 
-def test_nothing_known_is_told_as_nothing(sessions: tuple[Path, Path]) -> None:
+def test_unknown_values_are_reported_as_unknown(sessions: tuple[Path, Path]) -> None:
     with SessionReader(sessions[1]) as reader:
         hand = reader.info.hand
     take = measure(sessions[1]).take
@@ -237,5 +238,5 @@ def test_an_anonymous_report_names_nobody(sessions: tuple[Path, Path], tmp_path:
 def test_a_report_is_a_page(sessions: tuple[Path, Path], tmp_path: Path) -> None:
     from extensions.movement.report.write import write_report
 
-    with pytest.raises(ConfigError, match=r"\.html"):
+    with raises(ConfigError, "option.html"):
         write_report([sessions[1]], tmp_path / "r.pdf")

@@ -21,6 +21,7 @@ from extensions.openxr.registration import (
     implicit_layers,
     user_registration,
 )
+from tests.notices import raises
 from tests.streaming.conftest import MakeEstimate
 from tracker import cli
 from tracker.base.errors import FileError
@@ -81,7 +82,7 @@ def test_another_version_and_a_missing_library_are_noticed(registration: Registr
 
 def test_an_installation_without_the_layer_says_so(registration: Registration) -> None:
     registration.library.unlink()
-    with pytest.raises(FileError, match="not part of this installation"):
+    with raises(FileError, "openxr.no_layer"):
         registration.register()
     assert registration.state() == Registered.NO
 
@@ -89,7 +90,7 @@ def test_an_installation_without_the_layer_says_so(registration: Registration) -
 def test_a_folder_that_cannot_be_written_is_an_error(registration: Registration) -> None:
     registration.manifest.parent.parent.mkdir(parents=True)
     registration.manifest.parent.write_text("a file")
-    with pytest.raises(FileError, match="cannot be registered"):
+    with raises(FileError, "openxr.not_registered"):
         registration.register()
 
 

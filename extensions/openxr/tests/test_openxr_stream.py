@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 import mmap
 import os
-import re
 import subprocess
 import sys
 from pathlib import Path
@@ -35,6 +34,7 @@ from extensions.openxr.memory import ELSEWHERE
 from extensions.openxr.publisher import REPLAYED_NS, OpenXrPublisher, Placement
 from extensions.openxr.readers import read_link
 from tests.fixtures import RESOURCES
+from tests.notices import raises
 from tests.streaming.conftest import MakeEstimate
 from tracker.glove.files import load_glove
 from tracker.hand.files import load_hand
@@ -238,7 +238,7 @@ def test_both_hands_share_the_memory(
     right.close()
     right.close()
     assert read_link() is None
-    with pytest.raises(StreamError, match="closed"):
+    with raises(StreamError, "stream.closed"):
         right.send(make_estimate())
 
 
@@ -246,7 +246,7 @@ def test_a_second_program_is_refused_and_the_first_goes_on(
     memory: Path, openxr: Names, make_estimate: MakeEstimate
 ) -> None:
     publisher = OpenXrPublisher(openxr, PLACED)
-    with pytest.raises(StreamError, match="Another Glovetrack already sends"):
+    with raises(StreamError, "openxr.occupied"):
         OpenXrPublisher(openxr, PLACED)
     publisher.send(make_estimate())
     assert sample(memory, 1)["sequence"] == 1
@@ -270,9 +270,9 @@ def test_a_program_that_was_killed_leaves_a_memory_that_is_used_again(
 
 def test_a_memory_elsewhere_is_refused(tmp_path: Path, openxr: Names) -> None:
     (tmp_path / "link").symlink_to(tmp_path / "somewhere")
-    with pytest.raises(StreamError, match=r"link cannot be created"):
+    with raises(StreamError, "file.not_created"):
         OpenXrPublisher(openxr, PLACED, str(tmp_path / "link"))
-    with pytest.raises(StreamError, match=r"memory cannot be created: No such file"):
+    with raises(StreamError, "file.not_created"):
         OpenXrPublisher(openxr, PLACED, str(tmp_path / "nothing" / "memory"))
 
 
@@ -295,15 +295,15 @@ def test_readers_are_listed_and_count_as_clients(
 
 
 @pytest.mark.parametrize(
-    ("changed", "message"),
+    ("changed", "code", "option"),
     [
-        ({"openxr_space": "view"}, "The space is local or stage, not 'view'"),
-        ({"openxr_ahead_ms": 500}, "between 0 and 100, not 500"),
+        ({"openxr_space": "view"}, "option.choice", "space"),
+        ({"openxr_ahead_ms": 500}, "option.range", "ahead_ms"),
     ],
 )
 def test_wrong_options_are_named(
-    memory: Path, names: Names, changed: dict[str, object], message: str
+    memory: Path, names: Names, changed: dict[str, object], code: str, option: str
 ) -> None:
-    with pytest.raises(StreamError, match=re.escape(message)):
+    with raises(StreamError, code, option=option):
         open_streams(StreamSettings({"openxr": True, **changed}), [names])
     assert not memory.exists()

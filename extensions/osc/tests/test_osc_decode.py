@@ -12,6 +12,7 @@ from pythonosc.osc_message_builder import OscMessageBuilder
 
 from extensions.osc.decode import OscError, message
 from extensions.osc.encode import message as encode
+from tests.notices import raises
 
 
 def built(address: str, *values: object):
@@ -31,7 +32,7 @@ def test_a_bundle_of_one_is_opened_and_one_of_two_refused() -> None:
     bundle.add_content(built("/a", "x"))
     assert message(bundle.build().dgram) == ("/a", ["x"])
     bundle.add_content(built("/b", "y"))
-    with pytest.raises(OscError, match="more than one"):
+    with raises(OscError, "osc.several"):
         message(bundle.build().dgram)
 
 

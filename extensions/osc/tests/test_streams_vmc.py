@@ -148,16 +148,16 @@ def test_osc_has_a_bundle_of_joints_that_python_osc_reads(
         publisher = VmcPublisher(hand, "127.0.0.1", client.getsockname()[1], openxr)
         publisher.send(e)
         client.recv(65536)  # VMC's own
-        told = {m.params[0]: m.params[1:] for m in OscBundle(client.recv(65536))}
+        received = {m.params[0]: m.params[1:] for m in OscBundle(client.recv(65536))}
         assert all(m.address == OPENXR_JOINT for m in OscBundle(_again(publisher, e, client)))
         publisher.close()
-    assert tuple(told) == JOINTS
+    assert tuple(received) == JOINTS
     for i, name in enumerate(JOINTS):
         if name in ("palm", "middle_metacarpal", "middle_proximal"):
-            assert told[name] == ["lost"]
+            assert received[name] == ["lost"]
         else:
             pose = [*wanted.position[i], *wanted.orientation[i], wanted.radius[i]]
-            assert_allclose(told[name][:8], pose, atol=1e-6)
+            assert_allclose(received[name][:8], pose, atol=1e-6)
 
 
 def _again(publisher: VmcPublisher, e, client: socket.socket) -> bytes:

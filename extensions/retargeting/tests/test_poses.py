@@ -16,6 +16,7 @@ from scipy.spatial.transform import Rotation
 from extensions.retargeting.poses import LANDMARKS, TIPS, PoseView, pose_message
 from glovetrack.conventions import R_B_OPERATOR, operator_frame, to_mediapipe
 from resources import folder
+from tests.notices import raises
 from tracker.base.clock import ClockAnchor
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -185,7 +186,7 @@ def test_the_test_button_says_whether_a_program_receives(make_estimate, dated: N
 
 
 def test_options_are_checked(dated: Names) -> None:
-    with pytest.raises(StreamError, match="moon"):
+    with raises(StreamError, "option.choice", value="moon"):
         open_streams(with_streams(StreamSettings(), "poses?frame=moon"), [dated])
 
 

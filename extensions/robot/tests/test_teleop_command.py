@@ -20,6 +20,7 @@ from extensions.robot.teleop import Teleop
 from extensions.robot.teleop_live import follow_stream
 from extensions.robot.teleop_run import DriveFigures, drive_again
 from extensions.robot.tests.hands import wearer_model
+from tests.notices import raises, shows
 from tracker.base.clock import ClockAnchor, seconds
 from tracker.cli import main
 from tracker.geometry import so3
@@ -193,7 +194,7 @@ def test_a_live_stream_by_websocket_drives_a_robot_until_it_ends() -> None:
 
     states = followed(address, send, 0.0, lambda state: server.close())
     assert states and not any(state.holding for state in states)
-    with pytest.raises(StreamError, match="No connection"):
+    with raises(StreamError, "stream.no_connection"):
         follow_stream(RobotDriver(Teleop(RobotSettings())), address, 0.0, DriveFigures(), print)
 
 
@@ -201,10 +202,10 @@ def test_contradictory_arguments_are_errors(
     session: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["teleop"]) == 1
-    assert "exactly one of" in capsys.readouterr().err
+    assert shows(capsys.readouterr().err, "option.exactly_one")
     assert main(["teleop", str(session), "--check"]) == 1
-    assert "does not contain a robot" in capsys.readouterr().err
+    assert shows(capsys.readouterr().err, "robot.not_recorded")
     assert main(["teleop", "--listen", "somewhere"]) == 1
-    assert "Invalid address 'somewhere'" in capsys.readouterr().err
+    assert shows(capsys.readouterr().err, "teleop.address", address="somewhere")
     assert main(["teleop", str(session), "--objects", "teapot"]) == 1
     assert "teapot" in capsys.readouterr().err

@@ -237,7 +237,7 @@ class RobotLink(QObject):
             message = output
             if isinstance(output, RobotState):
                 self._act(output)
-                message = replace(output, t_told=monotonic())
+                message = replace(output, t_sent=monotonic())
                 self.engaged = output.engaged
                 if self.view is not None:
                     self.view.show(output, moved.placed, moved.error)

@@ -8,6 +8,7 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.base.terminal import add_json
 
 if TYPE_CHECKING:
@@ -47,7 +48,7 @@ def evaluate_touch(args: argparse.Namespace) -> int:
     check_json(args)
     ENGINES.get(args.engine)  # raises ConfigError if the name is unknown
     if args.wearers < 1:
-        raise ConfigError("--wearers must be at least 1.")
+        raise ConfigError(notice("option.least", option="--wearers", least=1))
     tasks = [
         WorkItem(run_trial, (args.seed + k, FAULTS[TURNS[k % len(TURNS)]], args.engine))
         for k in range(args.wearers)

@@ -20,6 +20,7 @@ from extensions.vr.buttons import ButtonGestures
 from extensions.vr.skeleton import HELD
 from extensions.vr.tests.openvr_reader import messages, received, skeleton
 from extensions.vr.vmt import VmtDevice, VmtPublisher, driver_version
+from tests.notices import raises
 from tests.streaming.posed_hand import posed_estimate, side_names
 from tests.streaming.recorded_hand import recorded_hand
 from tracker.hand.names import FINGERS
@@ -154,11 +155,16 @@ def test_closing_turns_the_device_off(client: socket.socket, names: Names) -> No
 
 
 @pytest.mark.parametrize(
-    ("words", "said"),
-    [("vmt?right=58", "0 to 57, not 58"), ("vmt?grip=clutch", "no gesture 'clutch'")],
+    ("words", "code", "values"),
+    [
+        ("vmt?right=58", "option.range", {"high": 57}),
+        ("vmt?grip=clutch", "vr.unknown_gesture", {"name": "clutch"}),
+    ],
 )
-def test_options_that_cannot_be(names: Names, words: str, said: str) -> None:
-    with pytest.raises(StreamError, match=said):
+def test_options_that_cannot_be(
+    names: Names, words: str, code: str, values: dict[str, object]
+) -> None:
+    with raises(StreamError, code, **values):
         open_streams(with_streams(StreamSettings(), words), [names])
 
 

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 from pythonosc.udp_client import SimpleUDPClient
 
+from tests.notices import raises
 from tracker.hand.names import CHAINS
 from tracker.streaming.connection import LOOPBACK, StreamError
 from tracker.streaming.remote.doors import Door
@@ -80,5 +81,5 @@ def test_some_fingers_only(motors: Motors, wait_for) -> None:
 
 
 def test_an_unknown_finger_is_refused(motors: Motors) -> None:
-    with pytest.raises(StreamError, match="no finger 'toe'"):
+    with raises(StreamError, "vr.unknown_finger", name="toe"):
         opened(motors, fingers="toe")

@@ -75,7 +75,7 @@ static avr_cycle_count_t rise(avr_t *avr, avr_cycle_count_t when, void *pin)
     return 0;
 }
 
-/* The synchrony pin, PD2, which is pulled up, is low for `number` microseconds: its end is told. */
+/* The synchrony pin, PD2, which is pulled up, is low for `number` microseconds: its end is reported. */
 static void pulse(spi_bus_t *bus, imu_model_t *imu, int number)
 {
     (void)imu;

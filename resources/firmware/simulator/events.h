@@ -1,4 +1,4 @@
-/* What happens to the glove while it runs, at times told beforehand or as said on standard input. */
+/* What happens to the glove while it runs, at times given beforehand or on standard input. */
 #ifndef EVENTS_H
 #define EVENTS_H
 

@@ -21,7 +21,7 @@ static const char usage[] =
     "                  256*IMU+VALUE, battery MV, pulse US,\n"
     "                  reset;\n"
     "                  the same commands are taken, one a line, from standard input\n"
-    "  --for SECONDS   of simulated time; otherwise until it is told to stop\n"
+    "  --for SECONDS   of simulated time; otherwise until it is stopped\n"
     "  --fast          as fast as the machine can, waiting for the host; otherwise in real time\n"
     "Prints the port to open, then what the motors do, then one line of JSON.\n";
 

@@ -1,4 +1,4 @@
-/* The conversation with the host: what the glove says and what it is told (protocol version 1). */
+/* The conversation with the host: what the glove sends and receives (protocol version 1). */
 #ifndef LINK_H
 #define LINK_H
 

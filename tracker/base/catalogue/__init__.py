@@ -12,9 +12,13 @@ from tracker.base.catalogue import (
     devices,
     doctor,
     exports,
+    imports,
+    offline,
+    options,
     sessions,
     settings,
     stereo,
+    tables,
     tracking,
 )
 
@@ -26,7 +30,11 @@ TEMPLATES: dict[str, str] = {
     **stereo.TEXTS,
     **sessions.TEXTS,
     **exports.TEXTS,
+    **imports.TEXTS,
+    **offline.TEXTS,
+    **options.TEXTS,
     **settings.TEXTS,
+    **tables.TEXTS,
 }
 
 WORDS = (
@@ -35,7 +43,10 @@ WORDS = (
     *("thumb", "index", "middle", "ring", "little"),
     *("top left", "top", "top right", "the middle", "bottom left", "bottom", "bottom right"),
     *("still", "silent", "unclear", "elsewhere", "turned"),
-    *("hands", "gloves", "colours"),
+    *("hands", "gloves", "colours", "cameras", "robots", "the camera", "both cameras"),
+    "too long",
+    "nothing before or after it",
+    "its ends or the sensors are not known",
     "a configuration file",
     "a mesh that can be read",
     "a folder",

@@ -55,4 +55,18 @@ TEXTS = {
         "{missed} of {expected} markers are not found with these colours. Fit them to the image."
     ),
     "light.show_hand": "Hold your gloved hand in front of the camera, its back up.",
+    "light.no_images": "{path} contains no images whose light can be measured.",
+    "colours.no_calibration": (
+        "The session contains no camera calibration, so no hand can be found in its images."
+    ),
+    "colours.no_images": "{path} contains no images to fit colours to.",
+    "colours.session_fit_worse": (
+        "The colours are unchanged: the fitted ones find {found:.1f} markers and "
+        "{others:.1f} other objects per image, the current ones {found_before:.1f} and "
+        "{others_before:.1f}."
+    ),
+    "colours.no_hand_found": (
+        "The colours could not be fitted: no hand was found with certainty in any light. "
+        "Hold the hand flat and still in view of {cameras:word}, in more or whiter light."
+    ),
 }

@@ -235,4 +235,17 @@ TEXTS = {
         "{path} has no {key} in [{section}]: the file is incomplete, or belongs to another camera."
     ),
     "zed.not_number": '{path}: {key} in [{section}] is "{text}", which is not a number.',
+    "simulator.camera_not_started": "The simulated camera did not start.",
+    "simulator.no_terminal": (
+        "The simulated glove requires a pseudo-terminal, which this system does not have."
+    ),
+    "simulator.no_pipes": (
+        "The simulated cameras require named pipes, which this system does not have."
+    ),
+    "image.format": (
+        "An image must be in colour with 8 bits per channel, not of shape {shape} and type {type}."
+    ),
+    "simulator.glove_not_started": "The simulated glove did not start.",
+    "glove.not_at_port": "No glove was found at {port}. {reasons}",
+    "glove.not_at_usb": "No glove was found on any USB port. {reasons}",
 }

@@ -80,4 +80,28 @@ TEXTS = {
     "recording.images": 'Images can be {known:or}, not "{value}".',
     "recording.compression": 'Compression can be {known:or}, not "{value}".',
     "recording.jpeg_quality": "The JPEG quality is {quality}; it must be 1 to 100.",
+    "session.attachment_damaged": (
+        "{path} is damaged: the attachment at byte {offset} is incomplete. Save what can be "
+        "read with glovetrack recover."
+    ),
+    "session.chunk_damaged": (
+        "{path} is damaged in the chunk at byte {offset}: {why}. Save what can be read with "
+        "glovetrack recover."
+    ),
+    "session.rig_invalid": "{path}: {why}",
+    "api.needs_calibration": (
+        "The camera requires a calibration. Pass the path of its calibration file, which the "
+        "window creates under Set-up, Camera calibration."
+    ),
+    "api.two_hands": "Two hands are tracked. Specify the side.",
+    "api.both_recorded": "{file} is a recording of both hands. Specify the side.",
+    "api.other_side": "{file} is a recording of the {side:word} hand.",
+    "session.damaged_at": (
+        "{path} is damaged at byte {offset}. Save what can be read with glovetrack recover."
+    ),
+    "session.damaged_why": (
+        "{path} is damaged at byte {offset}: {why}. Save what can be read with glovetrack recover."
+    ),
+    "session.no_chunk": "there is no chunk",
+    "session.far_future": "a message has a log time in the far future",
 }

@@ -79,4 +79,38 @@ TEXTS = {
     "request.id": "id is an integer or a text of at most {most} characters.",
     "request.too_many": "At most {rate_hz:.0f} requests per second are accepted.",
     "request.busy": "The window is loaded: too many requests are waiting. Try again later.",
+    "file.unpacked_size": "{path} contains more than {limit_mb} MB.",
+    "stream.no_option": 'The {kind} {what} has no option "{option}". Options: {known:list}.',
+    "stream.bad_option": '"{value}" is not a value for {option} of the {kind} {what}.',
+    "stream.schema": "The schema of JSON messages can be {known}, not {schema}.",
+    "stream.other_hand": "The stream is of another hand or another version.",
+    "stream.not_ours": "The stream contains a message that is not from Glovetrack: {why}.",
+    "remote.no_window": (
+        "No window responds at {host}:{port}: {why}. Check that remote control by UDP is on."
+    ),
+    "stream.closed": "The {what} is closed.",
+    "window.foreign_pipe": (
+        "The program at the other end of {address} does not belong to you. End it, or ask "
+        "your administrator to, then start again."
+    ),
+    "window.foreign_socket": (
+        "The program that listens at {address} belongs to another user (id {uid}). Remove "
+        "that file, or set XDG_RUNTIME_DIR to a folder of your own, then start again."
+    ),
+    "window.socket_folder": (
+        "{folder} is used for the window's socket and must be a folder of your own that no "
+        "other user can enter (mode 0700). Remove it, or set XDG_RUNTIME_DIR to a folder of "
+        "your own, then start again."
+    ),
+    "window.file_not_usable": "{path} cannot be used: {why}.",
+    "window.other_program": (
+        "The program that listens at the address of Glovetrack is not a Glovetrack window. "
+        "Close it, then start Glovetrack again."
+    ),
+    "file.not_created": "{path} cannot be created: {why}.",
+    "config.key": "{file}: {key} {why}.",
+    "window.none": "No window is open. Open one with glovetrack.",
+    "stream.failed": "{stream}: {why}.",
+    "stream.not_connected": "{stream}: not connected.",
+    "stream.no_connection": "{stream}: no connection ({why}).",
 }

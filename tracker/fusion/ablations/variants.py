@@ -9,6 +9,7 @@ vision alone, which then corrects the filter ("loose").
 from __future__ import annotations
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 
 GUIDES = ("imu", "previous")
 COUPLINGS = ("tight", "loose")
@@ -18,4 +19,4 @@ def check_variant(guide: str, coupling: str) -> None:
     """Raises ConfigError for an unknown ``guide`` or ``coupling``."""
     for what, word, known in (("guide", guide, GUIDES), ("coupling", coupling, COUPLINGS)):
         if word not in known:
-            raise ConfigError(f"The setting {what} can be {' or '.join(known)}, not {word!r}.")
+            raise ConfigError(notice("option.choice", option=what, known=known, value=word))

@@ -18,6 +18,7 @@ import numpy as np
 
 from tracker.base.errors import FileError
 from tracker.base.files import check_regular
+from tracker.base.notices import notice
 from tracker.messages import Array
 from tracker.offline.imports.samples import MOST, ImportedSamples
 
@@ -37,10 +38,10 @@ def read_matlab(path: Path, imu: str) -> ImportedSamples:
     parts = {imu: found} | {n: vars(v) for n, v in found.items() if hasattr(v, "_fieldnames")}
     pairs = {name: _pair(name, part, path) for name, part in parts.items() if _has_both(part)}
     if not pairs:
-        raise FileError(f"{path} contains no 'acc' and 'gyr' of an IMU.")
+        raise FileError(notice("import.no_imu", path=path))
     lengths = {len(acc) for acc, _ in pairs.values()}
     if len(lengths) > 1 or lengths == {0} or max(lengths) > MOST:
-        raise FileError(f"The IMUs in {path} have no samples, too many, or not the same number.")
+        raise FileError(notice("import.imu_lengths", path=path))
     t = _time(found, lengths.pop(), path)
     acc, gyr = (np.stack([pair[k] for pair in pairs.values()], axis=1) for k in (0, 1))
     return ImportedSamples(tuple(pairs), t, acc, gyr)
@@ -52,18 +53,20 @@ def _loaded(path: Path) -> dict[str, Any]:
     try:
         check_regular(path)
         if _unpacked_bytes(path) > _MOST_BYTES:
-            raise FileError(f"{path} contains more than {_MOST_BYTES // 10**6} MB.")
+            raise FileError(notice("file.unpacked_size", path=path, limit_mb=_MOST_BYTES // 10**6))
         if sum(math.prod(shape) for _, shape, _ in whosmat(path)) > _MOST_NUMBERS:
-            raise FileError(f"{path} contains more than {_MOST_NUMBERS} numbers.")
+            raise FileError(notice("import.many_numbers", path=path, most=_MOST_NUMBERS))
         loaded = loadmat(path, squeeze_me=True, struct_as_record=False)
     except FileError:
         raise
     except OSError as error:
-        raise FileError(f"{path} cannot be read: {error.strerror or error}.") from error
+        raise FileError(
+            notice("file.not_readable", path=path, why=error.strerror or error)
+        ) from error
     except NotImplementedError as error:  # version 7.3
-        raise FileError(f"{path} is a MATLAB file of version 7.3; save it with -v7.") from error
+        raise FileError(notice("import.matlab_version", path=path)) from error
     except Exception as error:  # scipy raises whatever a damaged file leads it to
-        raise FileError(f"{path} is no MATLAB file that can be read: {error}.") from error
+        raise FileError(notice("import.not_matlab", path=path, why=error)) from error
     return {name: value for name, value in loaded.items() if not name.startswith("__")}
 
 
@@ -102,7 +105,7 @@ def _pair(name: str, part: dict[str, Any], path: Path) -> tuple[Array, Array]:
         for names in (_ACC, _GYR)
     )
     if len(acc) != len(gyr):
-        raise FileError(f"{name} in {path}: acc and gyr have not the same number of rows.")
+        raise FileError(notice("import.pair_lengths", imu=name, path=path))
     return acc, gyr
 
 
@@ -110,19 +113,19 @@ def _time(found: dict[str, Any], n: int, path: Path) -> Array:
     if "t" in found:
         t = _numbers(found["t"], (-1,), f"t in {path}")
         if len(t) != n:
-            raise FileError(f"{path}: t has {len(t)} rows, the IMUs {n}.")
+            raise FileError(notice("import.time_length", path=path, times=len(t), samples=n))
         return t
     for name in _RATES:
         if name in found:
             rate = float(np.append(_numbers(found[name], (-1,), f"{name} in {path}"), 0.0)[0])
             if 1.0 <= rate <= 1e5:
                 return np.asarray(np.arange(n) / rate)
-            raise FileError(f"{path}: {name} is {rate:g} Hz, not between 1 and 100 000.")
-    raise FileError(f"{path} contains neither t nor a rate ({', '.join(_RATES)}).")
+            raise FileError(notice("import.rate", path=path, name=name, rate_hz=rate))
+    raise FileError(notice("import.no_time", path=path, rates=_RATES))
 
 
 def _numbers(value: Any, shape: tuple[int, ...], what: str) -> Array:
     try:
         return np.asarray(value, float).reshape(shape)
     except (TypeError, ValueError) as error:
-        raise FileError(f"{what} is no table of numbers of that shape.") from error
+        raise FileError(notice("import.not_table", what=what)) from error

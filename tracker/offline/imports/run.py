@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from tracker.base.clock import NS, ClockAnchor, nanoseconds, seconds
 from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import check_target
+from tracker.base.notices import notice
 from tracker.glove import library
 from tracker.messages import Array, ImuSample
 from tracker.offline.imports.matlab import read_matlab
@@ -61,17 +62,18 @@ def chosen(names: Sequence[str], imus: Sequence[str], asked: dict[str, str]) -> 
 
     Raises ConfigError that lists the IMUs.
     """
-    there = f"There are {', '.join(names)} in the files and {', '.join(imus)} on the glove."
     for imu, name in asked.items():
         if imu not in imus or name not in names:
-            raise ConfigError(f"{imu}={name} names an IMU that is not there. {there}")
+            raise ConfigError(
+                notice("import.imu_unknown", imu=imu, name=name, found=names, imus=imus)
+            )
     if asked:
         return asked
     same = {imu: name for imu in imus for name in names if imu.lower() == name.lower()}
     if not same and len(names) == 1:
         return {imus[0]: names[0]}
     if not same:
-        raise ConfigError(f"Say which IMU is which, by --imu GLOVE=FILE. {there}")
+        raise ConfigError(notice("import.imus_unassigned", found=names, imus=imus))
     return same
 
 
@@ -81,7 +83,7 @@ def together(
     """Raises FileError if the files do not overlap in time, or only some contain the date."""
     dated = {f.began_ns is not None for f in files}
     if len(dated) > 1:
-        raise FileError("Only some of the files contain the time of day; they cannot be combined.")
+        raise FileError(notice("import.some_dated"))
     began = min((f.began_ns for f in files if f.began_ns is not None), default=None)
     shifted = [f.t + (0.0 if began is None else ((f.began_ns or 0) - began) * 1e-9) for f in files]
     used = [k for k, f in enumerate(files) if set(wanted.values()) & set(f.names)]
@@ -90,11 +92,11 @@ def together(
     low = max(shifted[k][0] for k in used)
     high = min(shifted[k][-1] for k in used)
     if fast and (high - low) * RATE > MOST:
-        raise FileError(f"The files last longer than {MOST / RATE:.0f} s, the most that fits.")
+        raise FileError(notice("import.too_long", limit_s=MOST / RATE))
     t = np.arange(low, high, 1 / RATE) if fast else shifted[main]
     t = t[(t >= low) & (t <= high)]
     if len(t) < 2:
-        raise FileError("The files have no time in common: were they of one clock?")
+        raise FileError(notice("import.no_overlap"))
     motion = np.full((2, len(t), len(imus), 3), np.nan)
     for imu, name in wanted.items():
         k = next(k for k in used if name in files[k].names)
@@ -164,7 +166,7 @@ def import_imus(
     names = [name for samples in files for name in samples.names]
     twice = {name for name in names if names.count(name) > 1}
     if twice:
-        raise ConfigError(f"{', '.join(sorted(twice))} is in more than one of the files.")
+        raise ConfigError(notice("import.imu_twice", imus=sorted(twice)))
     texts = library.texts(options.glove or library.DEFAULT_GLOVE, options.hand or None)
     _, glove = library.load(options.glove or library.DEFAULT_GLOVE, options.hand or None)
     wanted = chosen(names, glove.imu_names, options.imus)
@@ -188,7 +190,7 @@ def _files(source: Path) -> list[Path]:
         return [source]
     found = sorted(source.glob(FOLDERS_FILE)) + sorted(source.glob(f"*/{FOLDERS_FILE}"))
     if not found:
-        raise FileError(f"There is no {FOLDERS_FILE} in {source} or its folders.")
+        raise FileError(notice("import.folder_empty", file=FOLDERS_FILE, folder=source))
     return found
 
 
@@ -199,7 +201,7 @@ def _read(path: Path) -> ImportedSamples:
         return read_matlab(path, own)
     if path.suffix.lower() in (".csv", ".txt"):
         return read_table(path, own)
-    raise FileError(f"{path} is neither .csv nor .mat.")
+    raise FileError(notice("import.unknown_kind", path=path))
 
 
 def _began(path: Path, packets: ImportedPackets) -> int:

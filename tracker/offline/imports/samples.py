@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.messages import Array, IntArray
 
 SINCE_1970 = 3e8
@@ -68,7 +69,7 @@ def in_order(samples: ImportedSamples, name: str) -> tuple[ImportedSamples, int]
     rows = known[np.argsort(samples.t[known], kind="stable")]
     rising = np.diff(samples.t[rows], prepend=-np.inf) > 0
     if rising.sum() < 2:
-        raise FileError(f"{name} does not contain two samples of different, possible times.")
+        raise FileError(notice("import.no_times", file=name))
     return samples.rows(rows[rising]), len(samples.t) - int(rising.sum())
 
 

@@ -18,6 +18,7 @@ import numpy as np
 
 from tracker.base.errors import FileError
 from tracker.base.files import check_regular
+from tracker.base.notices import notice
 from tracker.messages import Array, IntArray
 from tracker.offline.imports.samples import (
     GRAVITY,
@@ -70,9 +71,9 @@ def read_table(path: Path, imu: str) -> ImportedSamples:
             columns = [_column(cell, imu, path) for cell in header]
             table = _numbers(rows, columns, path)
     except (UnicodeDecodeError, csv.Error) as error:
-        raise FileError(f"{path} is no table of text: {error}.") from error
+        raise FileError(notice("import.not_text", path=path, why=error)) from error
     except OSError as error:
-        raise FileError(f"{path} cannot be read: {error.strerror}.") from error
+        raise FileError(notice("file.not_readable", path=path, why=error.strerror)) from error
     return _samples(path, columns, table)
 
 
@@ -82,7 +83,7 @@ def _short(file: TextIO, path: Path) -> Iterator[str]:
     while line := file.readline(_LONGEST_LINE + 1):
         n += 1
         if len(line) > _LONGEST_LINE:
-            raise FileError(f"{path}: line {n} is too long for a table.")
+            raise FileError(notice("import.long_line", path=path, line=n))
         yield line
 
 
@@ -101,8 +102,9 @@ def _column(cell: str, imu: str, path: Path) -> _Column | None:
         what = found["what"].lower()
     factor = _UNITS[what].get(found["unit"].strip().lower())
     if factor is None:
-        known = ", ".join(_UNITS[what])
-        raise FileError(f"{path}: the unit of {cell!r} is not known; there are {known}.")
+        raise FileError(
+            notice("import.unknown_unit", path=path, column=cell, known=tuple(_UNITS[what]))
+        )
     if what == "time":
         return _Column(_clock(found["what"].lower()), "", "", factor)
     return _Column(what, found["imu"].strip() or imu, found["axis"].lower(), factor)
@@ -132,10 +134,10 @@ def _numbers(rows: Iterator[list[str]], columns: list[_Column | None], path: Pat
             continue
         if len(row) != len(columns):
             raise FileError(
-                f"{path}: line {n + 2} has {len(row)} cells, the header {len(columns)}."
+                notice("import.cells", path=path, line=n + 2, cells=len(row), columns=len(columns))
             )
         if count == most:
-            raise FileError(f"{path} has more than {most} lines.")
+            raise FileError(notice("import.many_lines", path=path, most=most))
         count += 1
         for k in used:
             values[k].append(_number(row[k], n + 2, path))
@@ -159,7 +161,7 @@ def _number(cell: str, line: int, path: Path) -> float:
     try:
         return float(cell) if cell else math.nan
     except ValueError:
-        raise FileError(f"{path}: {cell[:40]!r} in line {line} is not a number.") from None
+        raise FileError(notice("import.not_number", path=path, cell=cell[:40], line=line)) from None
 
 
 def _whole(cell: str) -> int:
@@ -172,10 +174,10 @@ def _whole(cell: str) -> int:
 def _samples(path: Path, columns: list[_Column | None], table: _Table) -> ImportedSamples:
     clocks = {c.what: k for k, c in enumerate(columns) if c is not None and not c.imu}
     if "time" not in clocks:
-        raise FileError(f"{path} has no column of time with its unit, as 'Time (s)'.")
+        raise FileError(notice("import.no_time_column", path=path))
     names = tuple(dict.fromkeys(c.imu for c in columns if c is not None and c.imu))
     if not names:
-        raise FileError(f"{path} has no column of an IMU with its unit, as 'Gyroscope X (deg/s)'.")
+        raise FileError(notice("import.no_imu_column", path=path))
     with np.errstate(over="ignore"):  # a number beyond all floats in another unit is infinite
         motion = _motion(columns, names, table)
         began, t = _seconds(table, clocks["time"], columns, path)
@@ -208,13 +210,13 @@ def _seconds(
     values, whole = table.values[k], table.whole[k]
     known = np.flatnonzero(np.isfinite(values))
     if len(known) == 0:
-        raise FileError(f"{path} contains no sample.")
+        raise FileError(notice("import.no_sample", path=path))
     first = int(known[0])
     began = values[first] * column.factor
     if began < SINCE_1970:
         return None, values * column.factor
     if began > LATEST:
-        raise FileError(f"{path}: {values[first]:g} is not a time.")
+        raise FileError(notice("import.not_time", path=path, value=values[first]))
     zero, unit_ns = int(whole[first]), round(column.factor * 1e9)
     if zero < 0 or unit_ns == 0:
         return round(began * 1e9), (values - values[first]) * column.factor

@@ -10,6 +10,8 @@ import lz4.frame
 import zstandard
 from mcap.opcode import Opcode
 
+from tracker.base.errors import DataError
+from tracker.base.notices import notice
 from tracker.session.mcap.records import BAD_RECORD, LIMIT
 
 INNOCENT = 4 * 2**20  # bytes that a chunk may unpack to whatever its packed size
@@ -31,7 +33,7 @@ def decompress(name: str, packed: bytes, size: int) -> bytes:
     if name == "zstd":
         with zstandard.ZstdDecompressor(max_window_size=2**27).stream_reader(packed) as stream:
             return bytes(stream.read(size + 1))
-    raise ValueError(f"the compression {name[:20]!r} is unknown")
+    raise DataError(notice("data.compression", name=name[:20]))
 
 
 def unpacked(chunk: bytes) -> bytes:
@@ -41,14 +43,16 @@ def unpacked(chunk: bytes) -> bytes:
         name = chunk[32 : 32 + n].decode()
         packed = chunk[40 + n :]
         if size > LIMIT or size > max(INNOCENT, MOST_SWELLING * len(packed)):
-            raise ValueError(f"its header declares {size} bytes")
+            raise DataError(notice("data.declared_size", size_bytes=size))
         data = decompress(name, packed, size)
+    except DataError:
+        raise
     except (*BAD_RECORD, RuntimeError, zstandard.ZstdError) as error:
         raise ValueError(str(error)) from error
     if len(data) != size:
-        raise ValueError("its size differs from its header")
+        raise DataError(notice("data.size"))
     if crc and zlib.crc32(data) != crc:
-        raise ValueError("its checksum is wrong")
+        raise DataError(notice("data.checksum"))
     return data
 
 
@@ -60,11 +64,11 @@ def records(block: bytes) -> Iterator[tuple[int, bytes]]:
     at = 0
     while at < len(block):
         if at + _RECORD.size > len(block):
-            raise ValueError("a record in it is not whole")
+            raise DataError(notice("data.incomplete_record"))
         opcode, size = _RECORD.unpack_from(block, at)
         at += _RECORD.size
         if opcode == 0 or at + size > len(block):
-            raise ValueError("a record in it is not whole")
+            raise DataError(notice("data.incomplete_record"))
         yield opcode, block[at : at + size]
         at += size
 
@@ -79,7 +83,7 @@ def message_records(block: bytes, length: int) -> Iterator[tuple[int, bytes]]:
     most = _FEW + length // _FEWEST_BYTES
     for n, (opcode, body) in enumerate(records(block)):
         if opcode not in _IN_CHUNKS or (opcode == Opcode.MESSAGE and len(body) < MESSAGE.size):
-            raise ValueError("a record in it is not whole")
+            raise DataError(notice("data.incomplete_record"))
         if n > most:
-            raise ValueError("it unpacks to more messages than anything records")
+            raise DataError(notice("data.many_messages"))
         yield opcode, body

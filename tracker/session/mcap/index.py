@@ -17,10 +17,10 @@ from mcap.data_stream import ReadDataStream
 from mcap.opcode import Opcode
 from mcap.records import Channel, Header, Schema
 
-from tracker.base.errors import FileError
+from tracker.base.errors import DataError, FileError
 from tracker.base.notices import notice
 from tracker.session.mcap.chunks import MESSAGE, message_records, records, unpacked
-from tracker.session.mcap.records import BAD_RECORD, LATEST, LIMIT, MAGIC, SAVED, Damage, RecordFile
+from tracker.session.mcap.records import BAD_RECORD, LATEST, LIMIT, MAGIC, Damage, RecordFile
 from tracker.session.mcap.spans import LooseMessages, Span, Spans
 
 _CHUNK = struct.Struct("<QQQI")
@@ -78,7 +78,7 @@ def span_records(file: RecordFile, span: Span) -> Iterator[tuple[int, bytes]]:
     """(opcode, content) of the records in a span. Raises FileError if it is damaged."""
     opcode, length = file.record(span.offset)
     if opcode not in (Opcode.CHUNK, Opcode.MESSAGE):
-        raise file.damaged(span.offset, "there is no chunk")
+        raise file.damaged(span.offset, notice("session.no_chunk"))
     try:
         if opcode == Opcode.CHUNK:
             block = unpacked(file.body(span.offset, length))
@@ -86,8 +86,9 @@ def span_records(file: RecordFile, span: Span) -> Iterator[tuple[int, bytes]]:
             block = file.at(span.offset, min(span.length, LIMIT))
         yield from message_records(block, span.length)
     except ValueError as error:
-        where = f"{file.path} is damaged in the chunk at byte {span.offset}"
-        raise FileError(f"{where}: {error}. {SAVED}") from error
+        raise FileError(
+            notice("session.chunk_damaged", path=file.path, offset=span.offset, why=error)
+        ) from error
 
 
 def _footer(file: RecordFile) -> bytes | None:
@@ -117,13 +118,13 @@ def _read_summary(file: RecordFile, contents: Contents) -> bool:
     if start == 0:
         return False
     if not start or end - start > LIMIT:
-        raise ValueError("its offset is invalid")
+        raise DataError(notice("data.offset"))
     block = file.at(start, end - start)
     if crc and zlib.crc32(tail[:25], zlib.crc32(block)) != crc:
-        raise ValueError("its checksum is wrong")
+        raise DataError(notice("data.checksum"))
     opcode, length = file.record(len(MAGIC))
     if opcode != Opcode.HEADER:
-        raise ValueError("there is no header")
+        raise DataError(notice("data.no_header"))
     contents.read_header(file, len(MAGIC), length)
     for opcode, body in records(block):
         _read_summary_record(file, contents, opcode, body)

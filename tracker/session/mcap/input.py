@@ -15,9 +15,10 @@ from mcap.records import Attachment, Channel, Metadata
 
 from tracker.base.damage import LeftOut
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.session.mcap.chunks import MESSAGE
 from tracker.session.mcap.index import read_contents, span_records
-from tracker.session.mcap.records import LATEST, LIMIT, SAVED, RecordFile
+from tracker.session.mcap.records import LATEST, LIMIT, RecordFile
 from tracker.session.mcap.spans import Span
 
 FOREVER = 2**64 - 1
@@ -63,7 +64,7 @@ class McapInput:
                 continue
             channel_id, sequence, log, publish = MESSAGE.unpack_from(body)
             if log > LATEST or publish > LATEST:
-                raise self._file.damaged(span.offset, "a message has a log time in the far future")
+                raise self._file.damaged(span.offset, notice("session.far_future"))
             channel = self.contents.channels.get(channel_id)
             if channel is None or (topics is not None and channel.topic not in topics):
                 continue
@@ -104,9 +105,7 @@ class McapInput:
             (crc,) = struct.unpack("<I", body[-4:])  # 0: no checksum
             record = Attachment.read(ReadDataStream(BytesIO(body)))
         if crc and zlib.crc32(body[:-4]) != crc:
-            raise FileError(
-                f"{self.path} is damaged: the attachment at byte {offset} is not whole. {SAVED}"
-            )
+            raise FileError(notice("session.attachment_damaged", path=self.path, offset=offset))
         return record
 
     def metadata(self) -> Iterator[Metadata]:

@@ -17,7 +17,7 @@ from mcap.exceptions import McapError
 
 from tracker.base.errors import FileError
 from tracker.base.files import check_regular
-from tracker.base.notices import notice
+from tracker.base.notices import Notice, notice
 
 MAGIC = b"\x89MCAP0\r\n"
 LIMIT = 256 * 2**20
@@ -25,7 +25,6 @@ BAD_RECORD = (
     *(McapError, struct.error, ValueError, EOFError, IndexError, MemoryError, OverflowError),
 )
 """Errors that parsing a damaged record raises."""
-SAVED = "`glovetrack recover` saves the rest of it."
 LATEST = 2**63 - 1
 """ns since 1970 (the year 2262): the last instant that anything here can count to."""
 _HEAD = struct.Struct("<BQ")
@@ -71,10 +70,11 @@ class RecordFile:
             raise FileError(notice("session.record_size", path=self.path, size_bytes=length))
         return self.at(offset + _HEAD.size, length)
 
-    def damaged(self, offset: int, why: str = "") -> FileError:
+    def damaged(self, offset: int, why: Notice | None = None) -> FileError:
         """Returns the error to raise for the record at ``offset``."""
-        text = f"{self.path} is damaged at byte {offset}"
-        return FileError(f"{text}: {why}. {SAVED}" if why else f"{text}. {SAVED}")
+        if why is None:
+            return FileError(notice("session.damaged_at", path=self.path, offset=offset))
+        return FileError(notice("session.damaged_why", path=self.path, offset=offset, why=why))
 
     @contextmanager
     def explained(self, offset: int) -> Iterator[None]:

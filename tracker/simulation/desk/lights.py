@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.messages import Array
 
 BGR = tuple[float, float, float]
@@ -63,7 +64,9 @@ other side, LEDs on the ceiling, and a dim room with a high sensor gain."""
 def light_of(name: str) -> RoomLight:
     """A room's light. Raises ConfigError for an unknown name."""
     if name not in LIGHTS:
-        raise ConfigError(f"The light can be {', '.join(LIGHTS)}, not {name!r}.")
+        raise ConfigError(
+            notice("option.choice", option="--light", known=tuple(LIGHTS), value=name)
+        )
     return LIGHTS[name]
 
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from tracker.base.clock import nanoseconds
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.messages import Array, IntArray, StereoFrame
 from tracker.simulation.camera_view import pitch_of, pixels_of, ray_map
 from tracker.simulation.desk.ground import REFERENCE, Desk, desk_pose
@@ -97,7 +98,7 @@ class DeskRenderer:
     def __init__(self, scene: SimulatedScene, params: DeskParams | None = None) -> None:
         self.scene, self.params = scene, params or DeskParams()
         if scene.head.moves:
-            raise ConfigError("The desk is drawn for a camera on a stand, not for one on a head.")
+            raise ConfigError(notice("simulate.desk_camera"))
         self.light = light_of(self.params.light)
         rig, seed = scene.rig, scene.seed
         self._K = np.array([rig.fx, rig.fy, rig.cx, rig.cy])

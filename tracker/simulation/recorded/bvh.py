@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from tracker.base.errors import DataError
+from tracker.base.notices import notice
 from tracker.geometry import so3
 from tracker.messages import Array
 
@@ -35,7 +37,7 @@ def _hierarchy(text: str) -> tuple[list[Joint], str]:
     """Joints parents first, End Sites as ``<parent>.end``, and the text of the MOTION part."""
     head, found, motion = text.partition("MOTION")
     if not found or not head.lstrip().startswith("HIERARCHY"):
-        raise ValueError("it has no HIERARCHY and MOTION")
+        raise DataError(notice("data.bvh_parts"))
     words = iter(head.split())
     joints: list[Joint] = []
     stack: list[int] = []
@@ -59,7 +61,7 @@ def _hierarchy(text: str) -> tuple[list[Joint], str]:
 def _motion(text: str) -> tuple[Array, Array]:
     match = re.match(r"\s*Frames:\s*(\d+)\s*Frame Time:\s*(\S+)\s", text)
     if match is None:
-        raise ValueError("its MOTION part does not begin with Frames and Frame Time")
+        raise DataError(notice("data.bvh_motion"))
     count, period = int(match[1]), float(match[2])
     values: Array = np.array(text[match.end() :].split(), float).reshape(count, -1)
     return period * np.arange(count, dtype=np.float64), values
@@ -69,7 +71,7 @@ def _positions(joints: list[Joint], values: Array) -> Array:
     """(n, joints, 3) by forward kinematics; channels apply left to right, in degrees."""
     n, column = len(values), 0
     if values.shape[1] != sum(len(j.channels) for j in joints):
-        raise ValueError("it has not one number for each channel")
+        raise DataError(notice("data.bvh_channels"))
     R = np.tile(np.eye(3), (len(joints), n, 1, 1))
     p = np.zeros((len(joints), n, 3))
     for i, joint in enumerate(joints):

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.hand.model import HandModel
 from tracker.hand.names import KEYPOINTS
 from tracker.messages import Array, IntArray
@@ -100,7 +101,7 @@ def _targets(hand: HandModel, targets: tuple[str, ...]) -> tuple[IntArray, Array
             local.append([np.nan] * 3)
             continue
         if name not in hand.keypoint_names:
-            raise FileError(f"The hand {hand.name!r} has no {name}, which the recording holds.")
+            raise FileError(notice("motion.no_point", hand=hand.name, point=name))
         s = hand.segments[hand.index[KEYPOINTS[name][0]]]
         segment.append(hand.index[s.name])
         local.append([s.length if KEYPOINTS[name][1] else 0.0, 0.0, 0.0])
@@ -112,7 +113,7 @@ def _most_open(track: PointTrack) -> int:
     centred = track.points - np.nanmean(track.points, axis=1, keepdims=True)
     size = np.sum(np.sum(centred**2, axis=2), axis=1)  # NaN for missing points
     if not np.isfinite(size).any():
-        raise FileError("The recording shows the whole hand in no frame.")
+        raise FileError(notice("motion.never_whole"))
     return int(np.nanargmax(size))
 
 

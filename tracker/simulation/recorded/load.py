@@ -14,6 +14,7 @@ from scipy.signal import butter, filtfilt
 
 from tracker.base.errors import FileError
 from tracker.base.files import check_regular
+from tracker.base.notices import notice
 from tracker.base.toml_reader import read_text
 from tracker.geometry import so3
 from tracker.hand.model import HandModel
@@ -116,10 +117,10 @@ def read_bvh(path: Path, text: str) -> PointTrack:
     try:
         joints, t, positions = joint_positions(text)
     except (ValueError, IndexError) as error:
-        raise FileError(f"{path} is not a BVH file that can be read: {error}.") from error
+        raise FileError(notice("motion.not_bvh", path=path, why=error)) from error
     side, rows = _hand_rows(joints)
     if len(rows) < 6:
-        raise FileError(f"{path} names fewer than six joints of a hand's fingers.")
+        raise FileError(notice("motion.few_joints", path=path))
     up = np.array([0.0, 1.0, 0.0])
     return PointTrack(t, positions[:, list(rows.values())], tuple(rows), up, side, None)
 
@@ -158,17 +159,17 @@ def read_qualisys(path: Path, text: str) -> PointTrack:
     lines = text.splitlines()
     header = {line.split("\t")[0]: line.split("\t")[1:] for line in lines[:12] if line}
     if "MARKER_NAMES" not in header or "FREQUENCY" not in header:
-        raise FileError(f"{path} has no MARKER_NAMES or FREQUENCY line: not a Qualisys TSV file.")
+        raise FileError(notice("motion.not_qualisys", path=path))
     names = header["MARKER_NAMES"]
     rows = [line.split("\t") for line in lines[11:] if line and line[0].isdigit()]
     try:
         rate = float(header["FREQUENCY"][0])
         table = np.array([[float(c or 0) for c in r] for r in rows])
     except ValueError as error:
-        raise FileError(f"{path} holds something that is no number: {error}.") from error
+        raise FileError(notice("motion.not_number", path=path, why=error)) from error
     columns = table.shape[1] - 3 * len(names) if table.ndim == 2 else -1
     if columns not in (0, 2):
-        raise FileError(f"{path} does not hold three columns for each of its markers.")
+        raise FileError(notice("motion.columns", path=path))
     points = table[:, columns:].reshape(len(table), len(names), 3)
     points[np.all(points == 0, axis=2)] = np.nan
     kept = {i: target for i, n in enumerate(names) if (target := _target(n))}
@@ -205,13 +206,15 @@ def read_leap(path: Path) -> PointTrack:
         check_regular(path)
         with zipfile.ZipFile(path) as archive:
             if sum(part.file_size for part in archive.infolist()) > MOST_BYTES:
-                raise FileError(f"{path} contains more than {MOST_BYTES // 10**6} MB.")
+                raise FileError(
+                    notice("file.unpacked_size", path=path, limit_mb=MOST_BYTES // 10**6)
+                )
         with np.load(path, allow_pickle=False) as data:
             t, joints, side = data["t"], data["joints"], str(np.ravel(data["hand"])[0])
     except (OSError, ValueError, KeyError, EOFError, MemoryError, *UNPACKING) as error:
-        raise FileError(f"{path} is not a decoded Leap recording: {error}.") from error
+        raise FileError(notice("motion.not_leap", path=path, why=error)) from error
     if joints.shape != (len(t), 5, 4, 3) or side not in ("left", "right"):
-        raise FileError(f"{path} does not hold five fingers of four joints, of one hand.")
+        raise FileError(notice("motion.fingers", path=path))
     new = np.concatenate([[True], np.diff(t) > 1e-4])
     points = joints[new].reshape(-1, 20, 3).astype(float)
     up = np.array([0.0, 1.0, 0.0])
@@ -242,4 +245,4 @@ def read_track(path: Path) -> PointTrack:
         return read_qualisys(path, read_text(path, 100_000_000)).checked(str(path))
     if kind == ".bvh":
         return read_bvh(path, read_text(path, 100_000_000)).checked(str(path))
-    raise FileError(f"{path} is no motion that can be read: .tsv (Qualisys), .npz (Leap) or .bvh.")
+    raise FileError(notice("motion.unknown_kind", path=path))

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.messages import Array
 
 
@@ -29,12 +30,12 @@ class PointTrack:
     def checked(self, path: str) -> PointTrack:
         """Returns itself, if a hand can be fitted to it. Raises FileError."""
         if len(self.t) < 20:
-            raise FileError(f"{path} holds only {len(self.t)} frames of a hand; 20 are needed.")
+            raise FileError(notice("motion.few_frames", path=path, frames=len(self.t)))
         if not np.all(np.diff(self.t) > 0):
-            raise FileError(f"{path} has times that do not increase.")
+            raise FileError(notice("motion.times", path=path))
         whole = np.isfinite(self.points).all(axis=2)
         if whole.sum(axis=1).max() < 6:
-            raise FileError(f"{path} never shows six points of the hand at once.")
+            raise FileError(notice("motion.few_points", path=path))
         return self
 
 

@@ -6,6 +6,7 @@ import json
 import socket
 from typing import Any
 
+from tracker.base.notices import notice
 from tracker.streaming.connection import StreamError
 
 ANSWER_BYTES = 65536
@@ -17,7 +18,6 @@ def ask(words: dict[str, Any], host: str, port: int = UDP_PORT, wait: float = 5.
 
     It is sent once: a start whose answer was lost would be refused the second time.
     """
-    nowhere = f"No window answers at {host}:{port}"
     try:
         family, kind, _, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
         with socket.socket(family, kind) as asking:
@@ -27,6 +27,4 @@ def ask(words: dict[str, Any], host: str, port: int = UDP_PORT, wait: float = 5.
             return asking.recv(ANSWER_BYTES).decode("utf-8")
     except (OSError, UnicodeError, OverflowError) as error:
         reason = str(error) or type(error).__name__
-        raise StreamError(
-            f"{nowhere}: {reason}. Is remote control by UDP switched on there?"
-        ) from error
+        raise StreamError(notice("remote.no_window", host=host, port=port, why=reason)) from error
