@@ -18,16 +18,17 @@ from tracker.messages import Array, Estimate, IntArray, Tracking, Validity
 
 INFERRED_DEG = {
     "thumb_metacarpal": 20.0,
-    "thumb_distal": 24.0,
+    "ring_distal": 17.0,
+    "little_distal": 17.0,
     "little_proximal": 23.0,
     "little_intermediate": 19.0,
     "proximal": 19.0,
     "intermediate": 16.0,
-    "distal": 17.0,
+    "distal": 24.0,
 }
 """Standard deviation of an unsensed joint about its synergy, flexion and abduction together: of a
-segment, else of a finger's segments of that kind. Little and ring finger follow the middle finger
-less than their neighbours."""
+segment, else of a finger's segments of that kind. Ring and little finger follow the middle finger.
+An end joint beside a sensed one moves its tip along one line, for which 17° count as 24°."""
 BASE_SD = 0.0022  # m per axis, of an unsensed knuckle
 STRAIGHT_DEG, BENT_DEG = 40.0, 75.0
 """A finger next to one that is bent less than the first (MCP and PIP joint together) may be closed:
