@@ -1,6 +1,7 @@
 """Completes the hand from the segments that a filter estimates: the rest by synergy or rest pose.
 
-`HandModel` implements the same in plain Python; this form is for a hundred calls per second.
+`HandModel` implements the same in plain Python, except for `anatomical_synergies`; this form is for
+a hundred calls per second.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tracker.fusion.output.anatomy import anatomical_synergies
 from tracker.fusion.segments import EstimatedSegments
 from tracker.geometry.kernels import joint_angles3, mul3, rotate, tmul3
 from tracker.kernels import kernel
@@ -49,7 +51,10 @@ class Completion:
         hand = segments.hand
         row = np.full(len(hand.segments), -1, np.int64)
         row[segments.active] = np.arange(len(segments.active))
-        links = [[hand.angle_index[s.angle], hand.angle_index[s.of]] for s in hand.synergies]
+        own = anatomical_synergies(hand)
+        self._anatomical = np.array([[s.ratio, s.offset] for s in own]).reshape(-1, 2)
+        synergies = (*hand.synergies, *own)
+        links = [[hand.angle_index[s.angle], hand.angle_index[s.of]] for s in synergies]
         self.tables = HandTables(
             np.array(hand.parent, np.int64),
             np.array([s.origin for s in hand.segments]),
@@ -57,13 +62,14 @@ class Completion:
             np.array(hand.axis_columns, np.int64),
             np.array(hand.angle_limits),
             np.array(links, np.int64).reshape(-1, 2),
-            np.array([[s.ratio, s.offset] for s in hand.synergies]).reshape(-1, 2),
+            np.array([[s.ratio, s.offset] for s in synergies]).reshape(-1, 2),
             row,
             np.zeros(len(hand.segments)),
         )
 
     def wear(self, gains: Array, lateral: Array) -> None:
         """Sets a wearer's own synergies (k, 2) and ``lateral`` (S,)."""
+        gains = np.concatenate([gains, self._anatomical])
         self.tables = self.tables._replace(gains=gains, lateral=lateral)
 
     def __call__(
