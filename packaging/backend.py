@@ -4,7 +4,7 @@ The public package `glovetrack` is the same in this tree and in a wheel. Its imp
 `app`, `extensions`, `tracker` and `resources` here. Installed under these names they would collide
 with others in a shared environment, so a wheel has them as `glovetrack.app` and so on: the tree is
 copied with that layout, its import statements name the packages by their full names, and
-setuptools makes the wheel of the copy. `README.md` beside this file says why they are rewritten.
+setuptools makes the wheel of the copy. `README.md` next to this file explains why.
 Nothing else is changed: code must not spell a module's name in a string (`__package__` tells it).
 Compiled kernels in the tree, and with them the compiled OpenXR layer, are included and make it a
 wheel for this kind of machine (`packaging/wheel.sh`); without kernels it is one for every machine.

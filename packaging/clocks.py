@@ -125,7 +125,7 @@ class Clock:
 
 
 def _processes() -> dict[int, tuple[int, float]]:
-    """Of each process its parent, and its own seconds of processor."""
+    """The parent of each process, and its own seconds of processor."""
     found = {}
     for path in Path("/proc").glob("[0-9]*/stat"):
         try:

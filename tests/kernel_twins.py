@@ -8,9 +8,9 @@ Python calls was never compared, and where the product calls one with other type
 was compiled for: a user would wait for a compiler there. Programs that tests start are not
 concerned.
 
-A kernel that only kernels call runs plain where a test calls it with small arrays: the product has
-it compiled inside of others alone, where it is compared, and numba would take seconds, up to 13 for
-one of them, to compile it by itself in each process.
+A kernel that only other kernels call runs as plain Python if a test calls it with small arrays.
+In the product it is compiled only as part of other kernels, and is compared there; numba would take
+up to 13 s to compile it separately in each process.
 """
 
 from __future__ import annotations

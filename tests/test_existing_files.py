@@ -170,7 +170,7 @@ def _below(
 
 
 def text_options() -> set[tuple[str, tuple[str, ...]]]:
-    """Of each command, the names of every option and position that takes a free text."""
+    """The names, for each command, of every option and position that takes a free text."""
     found = set()
     for name, parser in parsers():
         for action in parser._actions:

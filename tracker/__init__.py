@@ -3,7 +3,7 @@
 Conventions, the same in every module
 -------------------------------------
 Units
-    SI and radians. A value in any other unit says so in its name (``_deg``, ``_mm``, ``_px``).
+    SI and radians. A value in any other unit has the unit in its name (``_deg``, ``_mm``, ``_px``).
 Time
     ``t`` is seconds on the host's monotonic clock, a whole number of nanoseconds
     (`tracker.base.clock`).

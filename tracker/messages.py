@@ -270,7 +270,7 @@ class FrameResult(_Frozen):
 
     @staticmethod
     def nothing(t: float, tracking: Tracking, markers: int) -> FrameResult:
-        """Of an image in which no marker was expected or matched."""
+        """For an image in which no marker was expected or matched."""
         return FrameResult(
             t=t,
             tracking=tracking,
@@ -353,7 +353,7 @@ class Calibration(_Frozen):
 
     @staticmethod
     def nothing(t: float, segments: Sequence[str]) -> Calibration:
-        """Of an engine that estimates no parameters."""
+        """For an engine that estimates no parameters."""
         rows = np.full((len(segments), 3), np.nan)
         eight = (rows, rows, rows, rows, rows, rows, rows, rows)
         return Calibration(t, tuple(segments), *eight, math.nan, math.nan)

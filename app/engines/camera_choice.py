@@ -191,7 +191,7 @@ def _find(wanted: str, cameras: list[CameraName]) -> CameraName:
     there = ", ".join(c.name for c in cameras)
     raise DeviceError(
         tr(
-            "The camera {} is not there; there are: {}. Plug it in, or choose another one "
-            "under Set-up, Camera."
+            "The camera {} is not connected. Connected cameras: {}. Plug it in, or choose another "
+            "one under Set-up, Camera."
         ).format(wanted, there)
     )

@@ -30,7 +30,7 @@ DESK_FPS, DESK_CORES = 30.0, 4
 """By default there is a desk up to this frame rate and from this number of cores on: it takes twice
 as long to render as a wall, and on two cores half of 30 images per second were missing."""
 OTHER_SCENES = tuple(names_of("scenes"))
-"""Of `tracker.simulation.rooms.KINDS`."""
+"""For `tracker.simulation.rooms.KINDS`."""
 SCENES = ("auto", "desk", "plain", *OTHER_SCENES)
 HANDS = ("right", "left", "both")
 LENSES = ("both", "one", "none")

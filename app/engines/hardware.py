@@ -55,7 +55,7 @@ INERTIAL = Settings(engine=WITHOUT_CAMERA)
 
 @dataclass(frozen=True)
 class Found:
-    """The devices that were found; ``missing`` says which are not there, and why."""
+    """The devices that were found; ``missing`` lists those that were not, and why."""
 
     gloves: tuple[HandGlove, ...]
     camera: ChosenCamera | None

@@ -231,7 +231,7 @@ class StreamsPanel(Panel):
         self.result.show()
 
     def _result(self) -> QLabel:
-        """Of the last test."""
+        """For the last test."""
         self.result = QLabel()
         self.result.setWordWrap(True)
         self.result.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)

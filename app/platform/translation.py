@@ -1,7 +1,7 @@
 """The window in the user's language.
 
 Qt looks translations up by the class that asks. In Python that is the class of the object, not the
-one that the words stand in, so a subclass would lose what its parent says: here one catalogue
+class that contains the call, so a subclass would lose its parent's texts: here one catalogue
 serves all, by the words alone.
 """
 
@@ -44,7 +44,7 @@ def languages(where: Path | None = None) -> list[str]:
 
 
 def chosen(setting: str, system: str, offered: list[str]) -> str:
-    """The language for a setting: ``system`` is the desktop's; English where there is no such."""
+    """The language for a setting: ``system`` is the desktop's; English if it has no translation."""
     wanted = system.partition("_")[0] if setting == SYSTEM else setting
     return wanted if wanted in offered else ENGLISH
 
@@ -68,7 +68,7 @@ def install(app: QCoreApplication, setting: str, where: Path | None = None) -> s
 
 
 def _install_qt_words(app: QCoreApplication, code: str) -> None:
-    """What Qt itself says: buttons of dialogs, names of keys. Installed first, it is asked last."""
+    """Qt's own texts: buttons of dialogs, names of keys. Installed first, it is searched last."""
     theirs = QTranslator(app)
     folder_of_qt = QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)
     if theirs.load(f"qtbase_{code}", folder_of_qt):

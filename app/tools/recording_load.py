@@ -41,7 +41,7 @@ SETTLE_S = 3.0  # after the start, and after the recording has begun
 
 @dataclass
 class Load:
-    """Of one stretch. Processor's time in s per second, of processes and of the window's threads.
+    """For one stretch. Processor's time in s per second, of processes and of the window's threads.
 
     ``left_out``: images of the stretch that are not in the file.
     """

@@ -50,7 +50,7 @@ START_TIMEOUT = 300.0
 
 @dataclass(frozen=True)
 class Cycles:
-    """Of opening and closing. Memory of this process in MB; what is left after the last close."""
+    """For opening and closing. Memory of this process in MB; what is left after the last close."""
 
     cycles: int
     memory_mb: list[float]
@@ -62,7 +62,7 @@ class Cycles:
 
 @dataclass
 class Soak:
-    """Of the demo. ``memory_mb``: this process, at the start, each minute and the end."""
+    """For the demo. ``memory_mb``: this process, at the start, each minute and the end."""
 
     minutes: float
     fps: float

@@ -150,8 +150,8 @@ def _alternate(window: MainWindow, cost: Cost, turns: int, seconds: float) -> Co
             wait_until(lambda: False, SETTLE_S)
             (cost.on if on else cost.off).append(_turn(window, cost.streams, seconds))
             cost.loads.append(round(os.getloadavg()[0], 1))
-    said, _ = readers.communicate("")
-    cost.received = json.loads(said)
+    output, _ = readers.communicate("")
+    cost.received = json.loads(output)
     _switch(window, cost.streams, False)
     cost.conclude()
     return cost

@@ -90,9 +90,9 @@ def _read_foxglove(port: int, count: Count) -> None:
             if isinstance(message, bytes):
                 count()
                 continue
-            said = json.loads(message)
-            if said["op"] == "advertise":
-                topics = [{"id": c["id"], "channelId": c["id"]} for c in said["channels"]]
+            parsed = json.loads(message)
+            if parsed["op"] == "advertise":
+                topics = [{"id": c["id"], "channelId": c["id"]} for c in parsed["channels"]]
                 connection.send(json.dumps({"op": "subscribe", "subscriptions": topics}))
 
 

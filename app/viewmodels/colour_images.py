@@ -20,7 +20,7 @@ ROOM_STEP = 4
 ROOM_EVERY = 8  # refreshes
 HAND_MARGIN_PX = 60
 ROOM_SHARE = 2e-4
-"""Of an image: a patch of 12 mm at 0.6 m covers 0.02 %."""
+"""For an image: a patch of 12 mm at 0.6 m covers 0.02 %."""
 
 
 def to_hsv(image: Image) -> Image:

@@ -25,7 +25,7 @@ LATELY = 60.0  # s for which the sender of a datagram counts as connected
 
 @dataclass(frozen=True)
 class StreamRow:
-    """Texts of one row; ``tip`` says more about the state."""
+    """Texts of one row; ``tip`` explains the state."""
 
     look: StateLook
     state: str
@@ -121,5 +121,5 @@ TEST_LOOKS = {Severity.INFO: GOOD, Severity.WARNING: WARN, Severity.ERROR: BAD}
 
 
 def tested(found: Notice) -> tuple[StateLook, str]:
-    """Of a test whether a program receives a stream."""
+    """For a test whether a program receives a stream."""
     return TEST_LOOKS[found.severity], notice_text(found)

@@ -164,7 +164,7 @@ class DoctorDialog(QDialog):
             self.save_report(Path(path))
 
     def save_report(self, path: Path) -> None:
-        """Write the report as text; a message says where, or why not."""
+        """Write the report as text; a message reports where, or why this failed."""
         try:
             write_whole(path, report_text(self._results), force=True)
         except GlovetrackError as error:

@@ -18,7 +18,7 @@ from app.panels.kind import PanelKind
 
 Docks = dict[str, QDockWidget]
 Shares = dict[str, tuple[float, float]]
-"""Of the window's inner width and height, by dock."""
+"""For the window's inner width and height, by dock."""
 Groups = tuple[tuple[str, ...], ...]
 """Names of docks in tabs, of each group from the top down."""
 LEFT, RIGHT = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
@@ -68,7 +68,7 @@ REVIEW = "look"
 REPLAY_NEEDS = ("hand", "library")
 """Docks without which a replay cannot be watched and moved through."""
 HALF_AND_MORE = 0.62
-"""Of the window at most for a side that needs its room; the images keep the rest."""
+"""For the window at most for a side that needs its room; the images keep the rest."""
 
 
 def title_of(job: Job) -> str:

@@ -72,8 +72,8 @@ DEVICES = "devices"
 
 @dataclass(frozen=True)
 class Opening:
-    """Something to be opened: what it is called, and what the window says meanwhile. ``keep``: what
-    is open goes on until this is there."""
+    """Something to be opened: its name, and the text that the window shows meanwhile.
+    ``keep``: the open one continues until this one is ready."""
 
     name: str
     title: str
@@ -84,7 +84,7 @@ class Opening:
 class Sources(QObject):
     """Opens what the user asks for; ``messages`` is taken away by what is opened next.
 
-    A recording under way is ended by none of it unless the user says so.
+    None of these ends a running recording unless the user confirms it.
     """
 
     devices_asked = Signal()

@@ -18,7 +18,7 @@ EVERY = 4  # packets between compared instants
 
 
 class Tracked(NamedTuple):
-    """Of one person: the mean error (mm) of the four keypoints, the share of instants at which the
+    """For one person: the mean error (mm) of the four keypoints, the share of instants at which the
     hand is tracked, and the number of keypoints that are called measured and ``wrong``."""
 
     error_mm: float

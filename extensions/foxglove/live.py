@@ -52,7 +52,7 @@ FOXGLOVE_PAGES = ("https://app.foxglove.dev", "https://studio.foxglove.dev")
 
 
 class FoxglovePublisher:
-    """Serves ws://host:port. Port 0 takes any free one; ``port`` says which."""
+    """Serves ws://host:port. Port 0 takes any free one; ``port`` is the one in use."""
 
     def __init__(
         self,

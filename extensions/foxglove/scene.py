@@ -4,7 +4,7 @@ Source: docs.foxglove.dev/docs/sdk/schemas/scene-update. What a scene leaves out
 defaults: an upright pose, no shapes of that kind.
 
 A schema keeps to what Foxglove reads of JSON schema (parseJsonSchema.ts of its mcap-support): one
-``type`` a field, so "or null" cannot be said; a choice only as numbers.
+``type`` a field, so "or null" cannot be expressed; a choice only as numbers.
 """
 
 from __future__ import annotations
@@ -136,7 +136,7 @@ def estimate_schema(names: Names) -> Json:
 
 
 def scene_schema() -> Json:
-    """JSON schema of what `FoxgloveScene.update` says of foxglove.SceneUpdate."""
+    """JSON schema of the fields of foxglove.SceneUpdate that `FoxgloveScene.update` writes."""
     stamp = {"sec": INTEGER, "nsec": INTEGER}
     axes = dict.fromkeys("xyz", NUMBER)
     vector, colour = object_of("foxglove.Vector3", **axes), dict.fromkeys("rgba", NUMBER)

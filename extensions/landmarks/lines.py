@@ -1,4 +1,4 @@
-"""Where lines of text go: datagrams, a connection to a server, or the clients of our own server."""
+"""Where lines of text are sent: datagrams, a connection to a server, or our server's clients."""
 
 from __future__ import annotations
 

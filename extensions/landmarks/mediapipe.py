@@ -33,7 +33,7 @@ INDEX = {"left": 0, "right": 1}
 
 @dataclass(frozen=True)
 class View:
-    """Of the imagined camera: ``width`` m that its image shows."""
+    """For the imagined camera: ``width`` m that its image shows."""
 
     width: float = 0.8
 

@@ -34,7 +34,7 @@ class Landmarks:
 
 
 def landmarks_of(e: Estimate, names: Names) -> Landmarks:
-    """Of an estimate whose rows are ``names``."""
+    """For an estimate whose rows are ``names``."""
     rows = [names.keypoints.index(n) for n in MEDIAPIPE]
     lost = (e.keypoint_state[rows] == Validity.LOST)[:, None]
     wrist_q = e.keypoint_q[rows[WRIST]]

@@ -110,7 +110,7 @@ class MarkerDoor:
             return
 
     def _pull(self, stream: _Stream) -> None:
-        """All markers that have come."""
+        """All markers received."""
         try:
             while True:
                 values, stamp = stream.inlet.pull_sample(timeout=0.0)

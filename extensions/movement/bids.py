@@ -67,7 +67,7 @@ class Entities:
 
     @property
     def folder(self) -> Path:
-        """Of the subject or the session, relative to the data set."""
+        """For the subject or the session, relative to the data set."""
         session = f"ses-{self.session}" if self.session else ""
         return Path(f"sub-{self.subject}", session)
 

@@ -11,7 +11,7 @@ _AHEAD, _BEHIND = [1, 2, 0], [2, 0, 1]
 
 
 def inverse(q: Array) -> Array:
-    """Of unit quaternions."""
+    """For unit quaternions."""
     return np.asarray(q * _CONJUGATE)
 
 

@@ -51,7 +51,7 @@ class Link:
 
 
 def readers_of(entries: NDArray[np.void]) -> list[Reader]:
-    """Those of (READERS,) of `READER`; an entry that is being written is read as it is."""
+    """Those of (READERS,) of `READER`; an entry that is being written is returned unchanged."""
     return [
         Reader(
             int(entry["process"]),

@@ -1,4 +1,4 @@
-"""One OSC 1.0 message from bytes that anybody may have sent; bundles of one are opened.
+"""One OSC 1.0 message from untrusted bytes; bundles of one message are opened.
 
 Types are those that senders of commands use: int32, float32, string, true, false.
 """

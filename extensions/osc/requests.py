@@ -24,7 +24,7 @@ REPLY = f"{ROOT}reply"
 
 
 def parse(data: bytes, t: float) -> Request | None:
-    """None for an answer, which is not answered again. Raises RequestError in words."""
+    """None for an answer, which is not answered again. Raises RequestError."""
     if len(data) > MOST_BYTES:
         raise RequestError(notice("request.too_long", most=MOST_BYTES))
     try:

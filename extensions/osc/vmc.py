@@ -121,7 +121,7 @@ class VmcPublisher:
         return out
 
     def _state(self, e: Estimate, segment: int) -> Validity:
-        """Of a bone: that of its joint's worst angle."""
+        """For a bone: that of its joint's worst angle."""
         columns = [c for c in self._hand.axis_columns[segment] if c >= 0]
         if not columns or not np.isfinite(e.angles[columns]).all():
             return Validity.LOST

@@ -262,7 +262,7 @@ def summary(measured: Sequence[Measured]) -> list[SummaryRow]:
 
 
 def _not_negative(values: Sequence[float], people: Sequence[str]) -> Pooled:
-    """Of values that cannot be negative: nor is the interval, which is symmetric for few people."""
+    """For values that are not negative; nor is the interval, which is symmetric for few people."""
     found = random_intercept(values, people)
     return replace(found, ci=(max(found.ci[0], 0.0), found.ci[1]))
 

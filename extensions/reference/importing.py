@@ -114,7 +114,7 @@ def _timing(
 
 
 def _start_ns(recording: Recording, options: ImportOptions, session: Path) -> int:
-    """Of the reference's t = 0; a time without a zone is this computer's local time."""
+    """For the reference's t = 0; a time without a zone is this computer's local time."""
     start = recording.start
     if options.start:
         try:

@@ -41,7 +41,7 @@ class TableColumns:
 @dataclass(frozen=True)
 class PointMapping:
     """``keypoints``: names of the points whose mean is a keypoint, by its name; empty: by names.
-    ``unit`` in m replaces what the format says of a file without a unit."""
+    ``unit`` in m replaces the format's default unit for a file without one."""
 
     keypoints: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     unit: float | None = None

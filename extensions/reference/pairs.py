@@ -84,7 +84,7 @@ def _nearest(angle: Array, to: Array) -> Array:
 
 
 def read_pairs(path: Path) -> list[Pairs]:
-    """Of each hand of a session that has a reference. Raises FileError if none has."""
+    """For each hand of a session that has a reference. Raises FileError if none has."""
     with SessionReader(path) as reader:
         sides = reader.sides or ("",)
         imported = [

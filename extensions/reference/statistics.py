@@ -204,7 +204,7 @@ def random_intercept(values: Sequence[float], people: Sequence[Hashable]) -> Poo
 
 
 def _one_person(values: Array, within: float) -> Pooled:
-    """One person says nothing about the spread of people: the interval is of this person's mean."""
+    """The interval of one person's mean: the spread of people is unknown."""
     agreement = bland_altman(values)
     return Pooled(
         agreement.bias, agreement.bias_ci, float("nan"), float(np.sqrt(within)), 1, len(values)

@@ -103,7 +103,7 @@ def by_movement(
     relative: bool = False,
     with_drift: bool = True,
 ) -> Timing:
-    """Of the same K points (N, K, 3) and (M, K, 3) m at (N,) and (M,) s.
+    """For the same K points (N, K, 3) and (M, K, 3) m at (N,) and (M,) s.
 
     ``relative``: by the movement relative to the points' mean, for a session without positions.
     Raises FileError if no offset, or more than one, fits.

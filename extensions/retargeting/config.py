@@ -3,7 +3,7 @@
 Its algorithms move a robot's links like landmarks of the wearer, given in MediaPipe's order and in
 the operator frame (x out of the palm, z to the fingers), or vectors between landmarks. Keys are
 those of its `RetargetingConfig`; it reads the table ``retargeting`` alone, so the table
-``glovetrack`` says what else a program needs: the rotation from the operator frame to the axes of
+``glovetrack`` has what else a program needs: the rotation from the operator frame to the axes of
 the hand's base, in which the links are.
 
 Vectors are those from each finger's knuckle to its tip and from the thumb's tip to the others:

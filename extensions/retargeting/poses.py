@@ -59,7 +59,7 @@ class PoseView:
 
 @dataclass(frozen=True, eq=False)
 class Poses:
-    """Of `JOINTS`: R (26, 3, 3), p (26, 3) m, sd (26,) m and state (26,); NaN where lost."""
+    """For `JOINTS`: R (26, 3, 3), p (26, 3) m, sd (26,) m and state (26,); NaN where lost."""
 
     R: Array
     p: Array

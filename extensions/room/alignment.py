@@ -71,7 +71,7 @@ class Alignment:
 
     @staticmethod
     def identity() -> Alignment:
-        """Of a tracker whose frame is the segment's."""
+        """For a tracker whose frame is the segment's."""
         return Alignment(np.zeros(3), np.array([0.0, 0.0, 0.0, 1.0]))
 
 

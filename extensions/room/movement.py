@@ -81,7 +81,7 @@ def root_movement(
     samples: Sequence[ImuSample], hand: HandModel, glove: GloveModel
 ) -> tuple[Array, Array, Array]:
     """t (N,) s, R_GB (N, 3, 3) and angular speed (N,) rad/s of the root segment, by its IMU alone
-    mounted as the glove file says: the filter's own mounting would drift meanwhile.
+    mounted as in the glove file: the filter's own mounting would drift meanwhile.
 
     Raises FileError for a glove without an IMU there.
     """

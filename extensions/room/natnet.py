@@ -74,7 +74,7 @@ def request(kind: int) -> bytes:
 
 
 def protocol_version(data: bytes) -> Version:
-    """Of a server's answer to `CONNECT`. Raises NatNetError."""
+    """For a server's answer to `CONNECT`. Raises NatNetError."""
     if kind_of(data) != SERVER_INFO or len(data) < 4 + _NAME + 8:
         raise NatNetError("this is not a server's description")
     return data[4 + _NAME + 4], data[4 + _NAME + 5]

@@ -113,7 +113,7 @@ class VrpnReader:
 
 
 def _name(payload: bytes) -> str:
-    """Of a description: its length with the zero at its end, then the name."""
+    """For a description: its length with the zero at its end, then the name."""
     if len(payload) < 4:
         raise VrpnError("a description is cut off")
     (length,) = struct.unpack_from(">I", payload)

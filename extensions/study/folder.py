@@ -43,7 +43,7 @@ class Study:
         return Progress(self.folder, self.protocol, participant)
 
     def all_progress(self) -> Iterator[Progress]:
-        """Of each participant, in the protocol's order."""
+        """For each participant, in the protocol's order."""
         for participant in self.protocol.participants:
             yield self.progress(participant)
 

@@ -1,4 +1,4 @@
-"""The report of a study: how far it is, the verdicts on its trials, times and errors."""
+"""The report of a study: its progress, the verdicts on its trials, times and errors."""
 
 from __future__ import annotations
 

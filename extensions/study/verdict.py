@@ -23,7 +23,7 @@ NAN = float("nan")
 
 @dataclass(frozen=True)
 class Measured:
-    """Of a recording, of the worse hand if there are two. ``duration`` s from the first packet to
+    """For a recording, of the worse hand if there are two. ``duration`` s from the first packet to
     the last (without packets: of the file). ``tracked``: share of the time; ``measured``,
     ``inferred``, ``lost``: shares of all keypoints and instants. ``packet_rate``, ``image_rate``
     Hz; ``images`` pairs of images (or of their blobs); ``images_missed``: share of images that were

@@ -66,7 +66,7 @@ def base_contacts(touches: Sequence[Touch], up_G: Array) -> Array:
 
 
 def fit_pulp(touches: Sequence[Touch], up_G: Array) -> Pulp:
-    """Of one finger's touches."""
+    """For one finger's touches."""
     base = base_contacts(touches, up_G)
     held = _fit(touches, base, OFFSET_SD)
     R = np.array([t.R_GB for t in touches])

@@ -162,7 +162,7 @@ class Stillness:
 
 
 def stillness(tracks: Mapping[str, TipTrack], cued: Sequence[Cued]) -> list[Stillness]:
-    """Of each finger, in the longest cue for it."""
+    """For each finger, in the longest cue for it."""
     spans = [c for c in cued if c.cue.what == "still"]
     if not spans:
         return []

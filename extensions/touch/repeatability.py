@@ -16,7 +16,7 @@ from tracker.base.errors import ConfigError
 from tracker.base.notices import failure
 
 AGREEMENT = 1.96 * np.sqrt(2.0)
-"""Of the standard deviation of one touch: two touches differ by less in 95 % of cases."""
+"""For the standard deviation of one touch: two touches differ by less in 95 % of cases."""
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class Repeated:
 
 
 def repeatability(results: Sequence[TouchResult]) -> list[Repeated]:
-    """Of the fingers that all sessions have. Raises ConfigError without any, or with sessions of
+    """For the fingers that all sessions have. Raises ConfigError without any, or with sessions of
     several persons or hands."""
     for what in ("participant", "side"):
         found = {r.session.get(what, "") for r in results} - {""}

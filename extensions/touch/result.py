@@ -30,7 +30,7 @@ from tracker.messages import Array
 
 AXES = ("right", "away", "up")
 LEAST_TOUCHES = 4
-"""Of one finger: with fewer, bias and spread cannot be separated."""
+"""For one finger: with fewer, bias and spread cannot be separated."""
 NORMAL = (0.6827, 0.9545, 0.9973)
 OFFSET_LIMIT = 0.003  # m, of the pulp from the hand file's, above which the glove file is suspect
 

@@ -29,7 +29,7 @@ class Interval:
 
 
 def mean_interval(values: Array) -> Interval:
-    """Of a mean, by Student's t; (n,)."""
+    """For a mean, by Student's t; (n,)."""
     n, mean = len(values), float(np.mean(values))
     if n < 2:
         return Interval(mean, float("nan"), float("nan"))
@@ -38,7 +38,7 @@ def mean_interval(values: Array) -> Interval:
 
 
 def sd_interval(sd: float, dof: float) -> Interval:
-    """Of a standard deviation with ``dof`` degrees of freedom, by chi-square."""
+    """For a standard deviation with ``dof`` degrees of freedom, by chi-square."""
     if dof < 1:
         return Interval(sd, float("nan"), float("nan"))
     low, high = (sd * np.sqrt(dof / chi2.ppf(q, dof)) for q in (0.5 + LEVEL / 2, 0.5 - LEVEL / 2))
@@ -46,7 +46,7 @@ def sd_interval(sd: float, dof: float) -> Interval:
 
 
 def share_interval(count: int, n: int) -> Interval:
-    """Of a share, by Wilson's score interval (doi:10.1080/01621459.1927.10502953)."""
+    """For a share, by Wilson's score interval (doi:10.1080/01621459.1927.10502953)."""
     if n == 0:
         return Interval(float("nan"), float("nan"), float("nan"))
     z, share = float(norm.ppf(0.5 + LEVEL / 2)), count / n
@@ -56,7 +56,7 @@ def share_interval(count: int, n: int) -> Interval:
 
 
 def bootstrap(values: Array, figure: Callable[[Array], float]) -> Interval:
-    """Of any figure of independent rows (n, …), by percentiles of resamples from a fixed seed."""
+    """For any figure of independent rows (n, …), by percentiles of resamples from a fixed seed."""
     rng = np.random.default_rng(SEED)
     picks = rng.integers(0, len(values), (RESAMPLES, len(values)))
     drawn = np.array([figure(values[p]) for p in picks])
@@ -65,7 +65,7 @@ def bootstrap(values: Array, figure: Callable[[Array], float]) -> Interval:
 
 
 def slope(x: Array, y: Array) -> Interval:
-    """Of the least-squares line y = a + slope x, by Student's t; (n,) each."""
+    """For the least-squares line y = a + slope x, by Student's t; (n,) each."""
     n, centred = len(x), x - np.mean(x)
     spread = float(centred @ centred)
     if n < 3 or spread <= 0:

@@ -1,4 +1,4 @@
-"""What a session says of three fingertips: places, orientations and claimed standard deviations."""
+"""Three fingertips in a session: positions, orientations and reported standard deviations."""
 
 from __future__ import annotations
 

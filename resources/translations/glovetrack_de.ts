@@ -9,8 +9,8 @@
     </message>
     <message>
       <location filename="app/engines/camera_choice.py" />
-      <source>The camera {} is not there; there are: {}. Plug it in, or choose another one under Set-up, Camera.</source>
-      <translation>Die Kamera {} ist nicht da; da sind: {}. Anschließen oder unter Einrichtung, Kamera eine andere wählen.</translation>
+      <source>The camera {} is not connected. Connected cameras: {}. Plug it in, or choose another one under Set-up, Camera.</source>
+      <translation>Die Kamera {} ist nicht angeschlossen. Angeschlossene Kameras: {}. Schließen Sie sie an, oder wählen Sie unter Einrichtung, Kamera eine andere.</translation>
     </message>
     <message>
       <location filename="app/engines/demo.py" />
@@ -9866,7 +9866,7 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>At rest the glove's acceleration fits a range of {accel_g} g, which is used now. For rotation {gyro_dps} deg/s is assumed and may be wrong.</source>
+      <source>At rest the glove's acceleration fits a range of {accel_g} g, which is used now. For rotation, {gyro_dps} °/s is assumed, which may be wrong.</source>
       <translation>In Ruhe passt die Beschleunigung des Handschuhs zu einem Messbereich von {accel_g} g, der jetzt verwendet wird. Für Drehungen werden {gyro_dps} °/s angenommen; das kann falsch sein.</translation>
     </message>
     <message>

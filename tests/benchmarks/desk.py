@@ -165,7 +165,7 @@ def estimates(
 
 
 def figures(scene: Scene, given: list[Estimate]) -> Figures:
-    """Of the estimate nearest to each exposure."""
+    """For the estimate nearest to each exposure."""
     truth, info = scene.truth, scene.info
     assert info.rig is not None
     names = list(info.keypoint_names)

@@ -49,7 +49,7 @@ class Frame:
 
     @property
     def chips(self) -> list[tuple[int, int]]:
-        """Of a HELLO, per IMU: WHO_AM_I and flags of the self-test (1, 2 failed, 0x80 absent)."""
+        """For a HELLO, per IMU: WHO_AM_I and flags of the self-test (1, 2 failed, 0x80 absent)."""
         return list(struct.iter_unpack("<BB", self.payload[-2 * IMUS :]))
 
     @property

@@ -122,8 +122,8 @@ def test_validity_and_sd_follow_the_tree(
 
 
 def _sd(layout: ChainLayout, sd: Array, segment: int, moves_with: int, levers: Array) -> float:
-    """Of a keypoint at the end of ``segment``, which is a joint of the segment it moves with, or of
-    that; ``levers`` (S, 3) m from the segments' origins."""
+    """For a keypoint at the end of ``segment``, which is a joint of the segment it moves with,
+    or of that; ``levers`` (S, 3) m from the segments' origins."""
     row = segment
     knuckle = row == 0 and moves_with not in layout.row_of
     variance = BASE_SD**2 if knuckle else 0.0

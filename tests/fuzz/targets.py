@@ -53,7 +53,7 @@ _folder = tempfile.TemporaryDirectory(prefix="glovetrack-fuzz-")
 
 @functools.cache
 def topics() -> list[tuple[str, str, bytes]]:
-    """Of a recording, which takes seconds to create: not during test collection."""
+    """For a recording, which takes seconds to create: not during test collection."""
     return topics_of(INFO)
 
 

@@ -46,7 +46,7 @@ def test_inverse() -> None:
 
 
 def test_nearest_rotation_is_kabschs() -> None:
-    """Of full rank, with a reflection, of points in a plane, and nearly zero."""
+    """Full rank, with a reflection, of points in a plane, and nearly zero."""
     rng = np.random.default_rng(4)
     cases = [*rng.normal(size=(20, 3, 3)), np.diag([1.0, 1.0, -0.5]), np.eye(3)]
     cases += [np.outer(*rng.normal(size=(2, 3))) + np.outer(*rng.normal(size=(2, 3)))]

@@ -231,7 +231,7 @@ def test_a_camera_is_chosen_by_name_and_found_at_another_port(window, store, dia
     assert store.value.camera == by_name(ZED) == "name:ZED-M"
     moved = replace(ZED, index=7)
     assert choose(store.value, 1280, 720, 60.0, [WEB, moved]).title == "ZED-M"
-    with pytest.raises(DeviceError, match="ZED-M is not there; there are: Webcam"):
+    with pytest.raises(DeviceError, match="ZED-M.*Webcam"):
         choose(store.value, 1280, 720, 60.0, [WEB])
 
 

@@ -645,7 +645,9 @@ def warmer(profile):
     return dataclasses.replace(profile, hues=hues)
 
 
-def test_colours_that_follow_the_light_are_shown_stored_and_tuned(colours, engine, qtbot, tmp_path):
+def test_colours_that_follow_the_light_can_be_seen_stored_and_tuned(
+    colours, engine, qtbot, tmp_path
+):
     """A slider moved afterwards changes the colours of this light, not of the previous one."""
     old = colours.tuning.profile
     engine.followed = new = warmer(old)

@@ -16,7 +16,7 @@ from tracker.simulation.wiggles import Wiggle, wiggling_wearer
 
 
 def samples(part: str, t: float, seconds: float):
-    """Of a simulated wearer, beginning at ``t``."""
+    """For a simulated wearer, beginning at ``t``."""
     hand, glove, _ = models()
     wearer = wiggling_wearer(hand, glove, part, 2)
     simulator = ImuSimulator(wearer, Wiggle(hand, part), 2)

@@ -76,7 +76,7 @@ class Posed(ScriptedEngine):
 
 
 class Clock:
-    """The dialog's clock, so that seconds pass at once."""
+    """The dialog's clock, which the test advances without waiting."""
 
     def __init__(self) -> None:
         self.now = 100.0

@@ -330,7 +330,7 @@ def test_a_preset_restores_formats_and_options(library, window, store, qtbot):
 
 
 def test_several_sessions_become_one_data_set_with_its_task(qtbot, store, tmp_path):
-    """Of other formats there is a file for each session."""
+    """Other formats have a file for each session."""
     sources = [tmp_path / "a.mcap", tmp_path / "b.mcap"]
     dialog = ExportDialog(sources, None, store)
     qtbot.addWidget(dialog)

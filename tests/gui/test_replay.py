@@ -69,7 +69,7 @@ def frames(sessions) -> list[BlobFrame]:
 
 
 def moment(engine: ReplayEngine) -> ReplayMoment:
-    """Of its only hand."""
+    """For its only hand."""
     return engine.hands.moments["right"]
 
 

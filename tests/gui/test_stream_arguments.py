@@ -87,7 +87,7 @@ def test_a_report_without_a_screen_answers_by_remote_control(tmp_path):
 @pytest.mark.parametrize(
     "words", [["x.mcap", "--headless-report", "5"], ["--demo", "--headless-report", "0"]]
 )
-def test_a_report_of_a_session_or_of_no_time_is_wrong_usage(words, capsys):
+def test_a_report_of_a_session_or_without_a_duration_is_wrong_usage(words, capsys):
     with pytest.raises(SystemExit) as ended:
         main(words)
     assert ended.value.code == 2

@@ -1,4 +1,4 @@
-"""The window's timer: how much of a processor showing may take."""
+"""The window's timer: the share of a processor that drawing may take."""
 
 import time
 from types import SimpleNamespace

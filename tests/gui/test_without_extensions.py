@@ -55,7 +55,7 @@ print(json.dumps(parts))
 
 
 def parts_without(extension: str, folder: Path) -> set[str]:
-    """Panels and commands of a window of a process that cannot import the extension."""
+    """Panels and commands of a window whose process cannot import the extension."""
     code = HIDE.format(name=f"extensions.{extension}") + WINDOW
     done = subprocess.run(
         [sys.executable, "-c", code, str(folder)],

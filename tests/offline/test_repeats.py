@@ -101,7 +101,7 @@ def test_verify_reports_repeated_packets(session: Path, tmp_path: Path, twice: T
 
 
 def test_packets_that_differ_are_all_used(session: Path) -> None:
-    """Of one number and instant, but with other readings; or alike, but another number."""
+    """The same number and instant with other readings, or the same readings with another number."""
     with SessionReader(session) as reader:
         first = next(m for m in reader.messages((ImuSample,)) if isinstance(m, ImuSample))
     other = replace(first, accel=first.accel + 1e-9)

@@ -77,7 +77,7 @@ class MessageMaker:
         return Blobs(uv, size, hue, score, self.cloth() if n % 2 else None)
 
     def cloth(self) -> Cloth:
-        """Of an image of 640 by 480 px."""
+        """For an image of 640 by 480 px."""
         first, second = sorted(self.rng.integers(0, 590, 2).tolist())
         tile = np.r_[first : first + 9, 600 + second : 609 + second]
         return Cloth(40, 30, tile, self.rng.integers(-(2**63), 2**63 - 1, len(tile)))

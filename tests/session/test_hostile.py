@@ -238,7 +238,7 @@ def test_a_damaged_attachment_does_not_affect_others(session: Path, session_info
 def test_verify_detects_every_flipped_bit(
     tmp_path: Path, record: Record, maker, summed: bool, ms: int
 ) -> None:
-    """Of the whole file for one with a checksum of its data; of records and indexes for others."""
+    """For the whole file for one with a checksum of its data; of records and indexes for others."""
     session = record(tmp_path / "a.mcap", list(maker.stream(ms, images=False)))
     data, rng = session.read_bytes(), np.random.default_rng(5)
     if not summed:

@@ -14,7 +14,7 @@ GLOVES = {"right": "vist-small", "left": "vist-small-left"}
 
 
 def side_names(side: str) -> Names:
-    """Of a bundled hand and glove of this side."""
+    """For a bundled hand and glove of this side."""
     return Names.of(*library.load(GLOVES[side]))
 
 

@@ -19,7 +19,7 @@ from tracker.base.files import read_bounded
 from tracker.base.notices import Notice, notice
 
 MOST_BYTES = 1_000_000
-"""Of a configuration file; the longest of ours has a hundredth of it."""
+"""For a configuration file; the longest of ours has a hundredth of it."""
 _DEEPEST = 16
 _MOST_TABLES = 1000
 _MOST_DIGITS = 400

@@ -53,7 +53,7 @@ class WorkersAsked:
 
 
 ALL_CORES = WorkersAsked()
-"""Of this machine."""
+"""For this machine."""
 
 
 class Board(Protocol):

@@ -59,7 +59,7 @@ class Machine:
     patience: float = 4.0
     """For a device that is starting."""
     duration: float = 2.0
-    """Of the measurement of each device."""
+    """For the measurement of each device."""
     fps: float = 30.0
     """Images per second that a camera is asked for."""
     in_use: frozenset[str] = frozenset()

@@ -76,7 +76,7 @@ def engine_kinds() -> dict[str, EngineKind]:
 
 
 def capabilities_of(name: str) -> Capabilities:
-    """Of the named engine. Raises ConfigError for an unknown name."""
+    """For the named engine. Raises ConfigError for an unknown name."""
     return ENGINES.get(name).capabilities
 
 

@@ -57,7 +57,7 @@ def flash(job: FlashJob) -> None:
     """Write and verify; takes some seconds.
 
     Raises:
-        FlashError: avrdude is missing or failed; what it said is in the message.
+        FlashError: avrdude is missing or failed; the message contains its output.
     """
     program = avrdude_path()
     if program is None:

@@ -20,7 +20,7 @@ BAUDS = (250_000, 115_200)
 """Speeds of the port that there is an image for."""
 FLASH_BYTES = 32768
 MOST_BYTES = 1_000_000
-"""Of a file; an image that fills the chip takes 92,000."""
+"""For a file; an image that fills the chip takes 92,000."""
 _DATA, _END = 0x00, 0x01
 _RECORD_BYTES = 16
 _LARGEST_ID = 2**32 - 1
@@ -34,7 +34,7 @@ class FirmwareImage:
 
     @property
     def version(self) -> tuple[int, int, int]:
-        """As the glove's HELLO says it."""
+        """As in the glove's HELLO."""
         at = self._about
         return self.data[at], self.data[at + 1], self.data[at + 2]
 

@@ -24,5 +24,5 @@ def advice(version: Version) -> Notice | None:
 
 
 def greeting(port: str) -> Hello | None:
-    """What the glove at a port says it is; None where none answers."""
+    """The identification of the glove at a port; None if none responds."""
     return next((r.hello for r in find_gloves([port]) if r.hello is not None), None)

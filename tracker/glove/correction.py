@@ -14,7 +14,7 @@ ROOM_C = 25.0
 
 
 class ImuCorrection:
-    """Of one glove, by its file. Packets of a glove without measurements are unchanged.
+    """For one glove, by its file. Packets of a glove without measurements are unchanged.
 
     ``celsius`` (n,) are the last temperatures, empty before the first: part of the saved state.
     """

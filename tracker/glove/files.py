@@ -15,7 +15,7 @@ from tracker.hand.model import HandModel
 from tracker.hand.names import KEYPOINTS
 
 LARGEST_AXIS_ERROR = 0.1
-"""Of a correction of scale and axes: three times the data sheet's tolerance of an MPU-9250."""
+"""For a correction of scale and axes: three times the data sheet's tolerance of an MPU-9250."""
 
 
 def load_glove(path: Path, hand: HandModel) -> GloveModel:

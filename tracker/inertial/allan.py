@@ -11,9 +11,9 @@ from tracker.messages import Array
 
 POINTS_PER_DECADE = 12
 LONGEST_SHARE = 1 / 9
-"""Of the recording: longer averages have fewer than nine clusters, and say little."""
+"""For the recording: longer averages have fewer than nine clusters, and say little."""
 BIAS_INSTABILITY = np.sqrt(2 * np.log(2) / np.pi)
-"""Of the flat part of a curve, as a share of the flicker coefficient (IEEE Std 952-1997, C.7)."""
+"""For the flat part of a curve, as a share of the flicker coefficient (IEEE Std 952-1997, C.7)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,7 +26,7 @@ class AllanCurve:
 
 @dataclass(frozen=True)
 class NoiseModel:
-    """Of one signal in unit u: ``white`` u/√Hz, ``flicker`` u (bias instability), ``walk`` u/√s
+    """For one signal in unit u: ``white`` u/√Hz, ``flicker`` u (bias instability), ``walk`` u/√s
     (random walk of the bias). 0 where the recording does not show one."""
 
     white: float

@@ -45,7 +45,7 @@ class LoadParams:
 
 
 class _Mean:
-    """Of the last moments, weighed by age."""
+    """For the last moments, weighed by age."""
 
     def __init__(self, memory: float) -> None:
         self._memory = memory

@@ -74,7 +74,7 @@ class Telemetry:
 
 
 def _quantile(ordered: Array, share: float) -> float:
-    """Of figures in order, between two of them along the line; NumPy's own would sort each time."""
+    """Linear interpolation between sorted figures; NumPy's own function would sort each time."""
     at = share * (len(ordered) - 1)
     i = int(at)
     low, high = float(ordered[i]), float(ordered[min(i + 1, len(ordered) - 1)])

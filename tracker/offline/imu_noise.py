@@ -46,7 +46,7 @@ class ImuNoiseResult:
 
 @dataclass(frozen=True, eq=False)
 class NoiseReport:
-    """Of a rest that began ``start_s`` after the recording and lasts ``duration_s``."""
+    """For a rest that began ``start_s`` after the recording and lasts ``duration_s``."""
 
     rate_hz: float
     start_s: float

@@ -1,6 +1,6 @@
 """Notices that a camera was knocked: all markers are seen elsewhere than expected, at once.
 
-One image is not enough: it may be of another instant than its stamp says, and then the hand's own
+One image is not enough: its stamp may be wrong, and then the hand's own
 motion explains what is seen. A jump is reported when
 
 - the images before agreed with what the filter expected, which knows the hand's motion by its IMUs;

@@ -40,7 +40,7 @@ class PairOffsetParams:
     markers: int = 6  # in both images
     row_px: float = 1.5  # beyond which a row difference weighs less
     most_shift_px: float = 40.0  # of a row; more is another blob
-    images: int = 60  # before anything is said
+    images: int = 60  # before anything is reported
     sure: float = 0.002  # standard deviation, at most
     worth: float = 0.004  # below it the right image is left as it is
     limit: float = 0.06  # beyond it the estimate is not believed
@@ -95,7 +95,7 @@ class LineSavedState:
 
     @property
     def spread(self) -> float:
-        """Of the speeds about their mean, px²/s²."""
+        """Variance of the speeds, px²/s²."""
         return float(self.ww - self.w**2 / self.n) if self.n > 0 else 0.0
 
     @property

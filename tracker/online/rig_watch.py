@@ -44,7 +44,7 @@ class RigWatchParams:
     clear: float = 2.0  # times as many as for anything else
     shift_px: float = 1.5  # row shift of a camera that has moved
     shift_pictures: int = 15  # over which the median is taken
-    swapped_pictures: int = 3  # in a row, before it is said
+    swapped_pictures: int = 3  # in a row, before it is reported
 
 
 @dataclass(frozen=True)
@@ -152,7 +152,7 @@ class RigWatch:
 
 @kernel(nogil=False)
 def leaders(counts: IntMatrix, means: Matrix) -> tuple[int, int, int, float]:
-    """Of `row_votes`: the most votes for one shift the right way round, the most the wrong way
+    """For `row_votes`: the most votes for one shift the right way round, the most the wrong way
     round, the most the right way round more than three rows from the first, and its mean shift px.
     """
     best, wrong, others = 0, 0, 0

@@ -51,7 +51,7 @@ class TimeOffsetParams:
     limit: float = 0.1  # beyond it the estimate is not believed
     correlation: float = 2.0  # of neighbouring pairs: factor on the variance
     correlation_of_one: float = 8.0  # the same of one camera, whose perspective errs for longer
-    pairs: int = 60  # before anything is said
+    pairs: int = 60  # before anything is reported
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,7 @@ class Offset:
 
 @record("time_offset.rotation", shapes={"R": "3 3", "rate": "3"})
 class _GyroRotation(NamedTuple):
-    """Of the root by its gyroscope: R (3, 3) up to a constant on the left, rate (3,) rad/s in B."""
+    """The root by its gyroscope: R (3, 3) up to a constant on the left, rate (3,) rad/s in B."""
 
     t: float
     R: Matrix
@@ -256,7 +256,7 @@ class TimeOffset:
             self._take(now.t, a, e)
 
     def _rotation_at(self, t: float) -> _GyroRotation | None:
-        """Of the gyroscope, between two packets."""
+        """For the gyroscope, between two packets."""
         gyro = self._gyro
         for k in range(len(gyro) - 1, 0, -1):
             if gyro[k - 1].t <= t <= gyro[k].t:

@@ -214,7 +214,7 @@ def _set_all(captures: list[cv2.VideoCapture], name: str, value: float | None) -
 
 
 def set_control(capture: Capture, name: str, value: float | None) -> Control:
-    """Lock a control at ``value``, or give it back to the camera; what the device then says."""
+    """Lock a control at ``value``, or return it to the camera. Returns the device's answer."""
     prop = PROPERTIES[name]
     if value is None:
         if prop.switch is not None:

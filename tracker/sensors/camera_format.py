@@ -15,7 +15,7 @@ MJPG, YUYV = "MJPG", "YUYV"
 LEAST_COMPRESSED_PIXELS = 640 * 480
 """From this size on, MJPG is tried first: uncompressed images need more than a USB 2 port has."""
 SLOW_SHARE = 0.8
-"""Of a requested or granted rate; below it, a camera is slow."""
+"""For a requested or granted rate; below it, a camera is slow."""
 ENOUGH_FPS = 24.0
 """A camera that grants this rate is fast enough, whatever was requested."""
 

@@ -18,7 +18,7 @@ LEAST_STEP = 1e-4  # s between two images
 
 @runtime_checkable
 class HasStamps(Protocol):
-    """An image input whose driver stamps its images."""
+    """An image input whose driver timestamps its images."""
 
     def stamp(self) -> float:
         """s, of the image that was read last, on any clock; NaN without one."""

@@ -238,8 +238,8 @@ class GloveLink:
         baud = self._port.wire_baud if isinstance(self._port, WiredPort) else 0
         packet = encode(Samples(0, 0, np.zeros((self._imu_count, 6), np.int16)))
         wire_time = BITS_PER_BYTE * len(packet) / baud if baud else 0.0
-        said = 1 / self.hello.rate_hz if self.hello is not None and self.hello.rate_hz else None
-        return PacketClock(1 / self.params.rate_hz, wire_time, said)
+        reported = 1 / self.hello.rate_hz if self.hello is not None and self.hello.rate_hz else None
+        return PacketClock(1 / self.params.rate_hz, wire_time, reported)
 
     def _ask_rate(self) -> None:
         """Another rate that is wanted: the packet clock learns it from the packets."""

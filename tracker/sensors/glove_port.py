@@ -31,7 +31,7 @@ class GlovePort:
     ) -> None:
         self.path = path
         self.glove_id = glove_id
-        """Of the glove that answered first; it is the one that is looked for."""
+        """For the glove that answered first; it is the one that is looked for."""
         self.home, self._baud, self._ports, self._open_at = path, baud, ports, open_at
         self._adapter: UsbPort | None = None
         self._refused: set[str] = set()
@@ -60,7 +60,7 @@ class GlovePort:
         raise trouble or FileNotFoundError(2, "No such file or directory", self.home)
 
     def is_right(self, glove_id: int | None) -> bool:
-        """Whether the glove that answered at `path` (None: it said nothing) is the one looked for.
+        """Whether the glove that answered at `path` (None: it sent nothing) is the one looked for.
 
         Where not, its port is asked last from now on.
         """

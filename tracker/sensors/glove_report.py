@@ -12,7 +12,7 @@ class GloveReport(NamedTuple):
     """None or empty where the glove or the system has not reported a value.
 
     ``rate_asked_hz`` was asked for, one of ``rates_hz``; ``rate_hz`` is measured by the glove's own
-    clock. ``imu_ok`` says for each IMU whether it answers.
+    clock. ``imu_ok`` is, for each IMU, whether it responds.
     """
 
     port: str

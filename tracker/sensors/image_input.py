@@ -167,7 +167,7 @@ class TwoCameraInput:
 def _shortfalls(
     captures: Sequence[Capture], wants: Sequence[CaptureFormat], sources: Sequence[int | str]
 ) -> list[Notice]:
-    """Of devices only: files and addresses grant nothing."""
+    """For devices only: files and addresses grant nothing."""
     found = [
         shortfall(want, report_of(capture))
         for capture, want, source in zip(captures, wants, sources, strict=False)
@@ -253,7 +253,7 @@ def open_capture(source: int | str, want: CaptureFormat) -> cv2.VideoCapture:
 
 
 def _is_missing(source: str) -> bool:
-    """Of a file or a device; of addresses, and films as numbered images, OpenCV knows.
+    """For a file or a device; of addresses, and films as numbered images, OpenCV knows.
 
     It is tried again all the time, and each time OpenCV would write a warning to the terminal.
     """

@@ -91,7 +91,7 @@ class ClockMap:
 
 
 def _lower_hull(points: list[Point]) -> list[Point]:
-    """Of points in order of their first coordinate."""
+    """For points in order of their first coordinate."""
     hull: list[Point] = []
     for p in points:
         while len(hull) >= 2 and _turn(hull[-2], hull[-1], p) <= 0:
@@ -106,9 +106,9 @@ def _turn(a: Point, b: Point, c: Point) -> float:
 
 
 SEQ_BITS, TIME_BITS = 16, 32
-CLOCK_JUMP, CLOCK_RATE = 0.005, 0.02  # s and share by which t_us may differ from what seq says
+CLOCK_JUMP, CLOCK_RATE = 0.005, 0.02  # s and share by which t_us may differ from seq
 SHORTEST, LONGEST = 1 / 400, 1 / 20  # s between packets that some rate may have
-LEARN, SURE = 5, 30  # steps alike until the period is theirs, and until it is said
+LEARN, SURE = 5, 30  # steps alike until the period is theirs, and until it is reported
 
 
 @dataclass(frozen=True)
@@ -129,11 +129,13 @@ class PacketTime:
 class PacketClock:
     """``period`` s between samples as asked for; ``wire_time`` s that a packet's bytes take.
 
-    ``said_period`` is what the glove said before it was asked: it may not heed the wish.
+    ``reported_period`` is the glove's period before the request, which it may ignore.
     """
 
-    def __init__(self, period: float, wire_time: float, said_period: float | None = None) -> None:
-        self._asked, self._said, self._wire_time = period, said_period, wire_time
+    def __init__(
+        self, period: float, wire_time: float, reported_period: float | None = None
+    ) -> None:
+        self._asked, self._said, self._wire_time = period, reported_period, wire_time
         self.restart()
 
     def restart(self) -> None:

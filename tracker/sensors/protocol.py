@@ -99,7 +99,7 @@ class Pulse:
 
 @dataclass(frozen=True)
 class Temperatures:
-    """Of every IMU, once a second; None where an IMU does not respond. Firmware from 1.3."""
+    """For every IMU, once a second; None where an IMU does not respond. Firmware from 1.3."""
 
     values_cC: tuple[int | None, ...]
 

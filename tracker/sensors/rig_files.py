@@ -68,7 +68,7 @@ def load_zed(
     """The rig at one of the ZED's image heights; ``pose`` as in `rectified_rig`. The line time is
     that of the mode with ``fps`` images per second.
 
-    Raises FileError where the file is no such calibration or ends too early.
+    Raises FileError if the file is not such a calibration or is truncated.
     """
     sections = _read(path)
     resolution = next((r for r in RESOLUTIONS if r.height == height), None)
@@ -209,7 +209,7 @@ def _intrinsics(
 
 
 def _is_fisheye(path: Path) -> bool:
-    """Whether a file says that its lenses are fisheyes: ours by a number, ROS by the model."""
+    """Whether a file declares its lenses to be fisheyes: ours by a number, ROS by the model."""
     storage = cv2.FileStorage(opencv_text(path), cv2.FILE_STORAGE_READ | cv2.FILE_STORAGE_MEMORY)
     try:
         ours, model = storage.getNode("fisheye"), storage.getNode("distortion_model")

@@ -27,7 +27,7 @@ Ioctl = Callable[[int, int, bytearray], int]
 
 
 class Limits(NamedTuple):
-    """Of a control, in the driver's own units."""
+    """For a control, in the driver's own units."""
 
     least: float
     greatest: float
@@ -66,7 +66,7 @@ class ControlIo:
             self._device = -1
 
     def limits(self, control: int) -> Limits | None:
-        """Of a control that exists and is not disabled."""
+        """For a control that exists and is not disabled."""
         answer = self._ask(QUERY, _CONTROL.pack(control, 0, b"", 0, 0, 0, 0, 0))
         if answer is None:
             return None

@@ -40,8 +40,8 @@ GAIN_LIMITS = Limits(0.0, float(sum(high - low for low, high in GAIN_ZONES)), 1.
 
 
 class Exposure(NamedTuple):
-    """Of both images: whether the camera changes it by itself, ``exposure`` in rows and ``gain`` in
-    steps."""
+    """For both images: whether the camera changes it automatically, ``exposure`` in rows and
+    ``gain`` in steps."""
 
     automatic: bool
     exposure: int

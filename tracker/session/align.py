@@ -92,7 +92,7 @@ def best_match(a: SpeedCourse, b: SpeedCourse) -> Match:
 
 
 def match_channels(x: Array, y: Array, apart: float = 0.0, overlap: float = OVERLAP) -> Match:
-    """Of K channels x (N, K) and y (M, K) at even steps of 1/`RATE`, NaN where unknown, together;
+    """For K channels x (N, K) and y (M, K) at even steps of 1/`RATE`, NaN where unknown, together;
     x begins ``apart`` s later than y; they have ``overlap`` s in common at least.
 
     Raises FileError if no offset, or more than one, fits well.
@@ -203,7 +203,7 @@ def _of_angles(path: Path) -> SpeedCourse | None:
 
 
 def course_of_angles(start_ns: int, t: Array, angles: Array) -> SpeedCourse:
-    """Of joint angles (N, J) rad at ``t`` (N,) s; instants at which all are lost are not known."""
+    """For joint angles (N, J) rad at ``t`` (N,) s; instants at which all are lost are not known."""
     rate = np.gradient(angles, np.maximum(t, np.arange(len(t)) * 1e-9), axis=0)
     known = np.isfinite(rate).any(axis=1)
     return SpeedCourse(start_ns, t, np.where(known, np.sqrt(np.nansum(rate**2, axis=1)), np.nan))

@@ -68,7 +68,7 @@ def _common_sides(a: Path, b: Path) -> list[str]:
 
 
 def _compared(a: Path, b: Path, side: str, shift_s: float) -> tuple[dict[str, Any], _Curves]:
-    """Of one hand."""
+    """For one hand."""
     with _of_side(a, side) as reader_a, _of_side(b, side) as reader_b:
         first, second = (recorded_series(r, segments=False) for r in (reader_a, reader_b))
         changes = _metadata_changes(reader_a, reader_b)

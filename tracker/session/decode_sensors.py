@@ -100,7 +100,7 @@ _FOREIGN_PATIENCE = NS // 10  # images in a foreign file may be this late agains
 
 @dataclass(frozen=True)
 class Timing:
-    """How parts of one instant are known to belong together, ns; zero for our own files."""
+    """Largest time differences (ns) of parts of one instant; zero for our own files."""
 
     imu_tolerance: int = 0
     frame_tolerance: int = 0
@@ -108,7 +108,7 @@ class Timing:
 
 
 def foreign_timing(source: McapInput, info: SessionInfo) -> Timing:
-    """Of a file that is not ours: half of each period. Raises FileError on damage."""
+    """For a file that is not ours: half of each period. Raises FileError on damage."""
     imus = [topics.imu(info.side, n) for n in info.glove.imu_names]
     frames = [f(c) for c in EYES for f in (topics.image, topics.blobs)]
     return Timing(

@@ -102,7 +102,7 @@ class Encoder:
         self._pose_stamp = -1
 
     def encoded(self, message: Message) -> Iterator[Out]:
-        """Of any message. A FrameResult follows from the rest, an EngineState is an attachment."""
+        """For any message. A FrameResult follows from the rest, an EngineState is an attachment."""
         match message:
             case ImuSample():
                 return self.imu(message)
@@ -176,7 +176,7 @@ class Encoder:
             yield from (m for m in messages if exact or m.topic == topics.TF)
 
     def robot(self, m: RobotModel | RobotState | RobotMemory) -> Iterator[Out]:
-        """Of a robot that follows the hand; the log time of a state is when its command left."""
+        """For a robot that follows the hand; the log time of a state is when its command left."""
         stamp = log = self._wall(m.t)
         if isinstance(m, RobotState) and math.isfinite(m.t_sent):
             log = self._wall(m.t_sent)
@@ -339,7 +339,7 @@ class Encoder:
 
 
 NOMINAL = ImuNoise(np.deg2rad(0.01), 300e-6 * 9.80665, 0.0, 0.0)
-"""Of the MPU-9250 (product specification 1.1), for IMUs whose noise was not measured."""
+"""For the MPU-9250 (product specification 1.1), for IMUs whose noise was not measured."""
 PACKETS_HZ = 100.0
 
 

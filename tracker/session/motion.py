@@ -44,7 +44,7 @@ class Take:
 
 @dataclass(frozen=True)
 class Measure:
-    """Of one angle (rad) or distance (m) in a recording: least, greatest, mean and sd of its
+    """For one angle (rad) or distance (m) in a recording: least, greatest, mean and sd of its
     values; fastest change per s; shares of the time that it was measured, inferred, lost; the mean
     standard deviation that the tracker reports, NaN without one; and the share of the time that an
     edit interpolated, which is part of the inferred share."""
@@ -153,7 +153,7 @@ def curve(take: Take, values: Array, state: IntArray) -> tuple[Array, Array]:
 
 
 def measures(take: Take, pairs: Sequence[Pair]) -> list[Measure]:
-    """Of all angles, then of the distances between the points of each pair."""
+    """For all angles, then of the distances between the points of each pair."""
     no_sd = np.full(len(take.t), np.nan)
     out = []
     for j, name in enumerate(take.angle_names):

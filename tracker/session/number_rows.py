@@ -185,7 +185,7 @@ class DeviationRows:
 
 
 class _Layout(NamedTuple):
-    """Of a transform message: which bytes are the same in all like it (L,) bool; its byte order;
+    """For a transform message: which bytes are the same in all like it (L,) bool; its byte order;
     where each child's stamp and numbers begin."""
 
     fixed: NDArray[np.bool_]

@@ -53,7 +53,7 @@ class SessionReader(McapSession):
 
     @cached_property
     def sides(self) -> tuple[str, ...]:
-        """Of a session of both hands left and right; of one hand empty."""
+        """left and right for a session of both hands; empty for one hand."""
         names = [description.of_side(description.GLOVE, side) for side in SIDES]
         return SIDES if self.attachments.keys() >= set(names) else ()
 
@@ -67,7 +67,7 @@ class SessionReader(McapSession):
         return replace(self._info_of(side), others=others)
 
     def _info_of(self, side: str) -> SessionInfo:
-        """Of a session of both hands that of one; empty: of the only one."""
+        """The hand to read in a session of both hands; empty: the only one."""
         names = (description.HAND, description.GLOVE)
         if side:
             names = tuple(description.of_side(name, side) for name in names)  # type: ignore[assignment]

@@ -115,7 +115,7 @@ def _same_parts(state: Any, fresh: Any, path: str, shape: ArrayShape | None) -> 
 
 
 def _same_array(state: np.ndarray, fresh: np.ndarray, path: str) -> None:
-    """Of an array without a declared shape, axes that are empty at rest may have grown."""
+    """For an array without a declared shape, axes that are empty at rest may have grown."""
     same = state.dtype == fresh.dtype
     if same and fresh.shape != (0,):
         same = state.ndim == fresh.ndim

@@ -22,7 +22,7 @@ SOFT_LIMIT = np.deg2rad(4.0)
 
 @dataclass(frozen=True)
 class EndJointParams:
-    """Of one kind of end joint: standard deviations over people, unless stated otherwise."""
+    """For one kind of end joint: standard deviations over people, unless stated otherwise."""
 
     ratio_mean: float  # difference of the mean ratio over people from the hand file's
     ratio: float

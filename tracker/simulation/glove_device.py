@@ -185,7 +185,7 @@ class SimulatedGlove:
                     pending.clear()
 
     def _temperatures(self, now: float) -> Temperatures:
-        """Of each IMU, as the source of the samples has them."""
+        """For each IMU, as the source of the samples has them."""
         celsius = self._temperature(np.array([now - self._t_0]))[0]
         return Temperatures(tuple(round(100 * float(c)) for c in celsius[: self._imu_count]))
 

@@ -21,7 +21,7 @@ STEP = 1e-3
 ROOM_C = 25.0
 """Temperature at which the biases are those of `ImuErrors`, °C."""
 COLD_C, COLD_SD_C = 26.0, 1.5
-"""Of the first chip when the glove is switched on, °C: mean and standard deviation of sessions."""
+"""For the first chip when the glove is switched on, °C: mean and standard deviation of sessions."""
 IMU_APART_C = 0.3
 """Difference between neighbouring IMUs, °C."""
 

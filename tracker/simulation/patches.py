@@ -43,7 +43,7 @@ class PatchShapes(NamedTuple):
 
 
 class _Axes(NamedTuple):
-    """Of P capsules: unit vector (P, 3) from ``a`` to ``b`` (zero for a ball) and length (P,) m."""
+    """For P capsules: unit vector (P, 3) from ``a`` to ``b`` (0 for a ball) and length (P,) m."""
 
     unit: Matrix
     length: Vector

@@ -82,7 +82,7 @@ class StreamsProcess:
             self._send(Asked(0, do, key))
 
     def counts(self, key: int) -> tuple[StreamCounts, ...]:
-        """Of one stream, of each hand; at most half a second old."""
+        """For one stream, of each hand; at most half a second old."""
         return self._counts.get(key, ())
 
     def listen(self, key: int, report: Callable[[Notice], None]) -> None:
@@ -150,7 +150,7 @@ class ApartStream:
         self._process.tell("start", self._key)
 
     def counts(self) -> tuple[StreamCounts, ...]:
-        """Of each hand."""
+        """For each hand."""
         found = self._process.counts(self._key)
         if self._process.ended:
             ended = str(_has_ended())

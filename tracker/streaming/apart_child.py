@@ -23,7 +23,7 @@ CLOSE_WAIT = 10.0  # s for what waits in a queue, on a loaded computer; then its
 
 
 def serve(pipe: Connection) -> None:
-    """Until the other end says so, or is gone."""
+    """Runs until the other end requests the end or disconnects."""
     if hasattr(os, "nice"):  # where processors are short, tracking goes before its streams
         os.nice(NICE)
     desk = _Desk(pipe)

@@ -135,7 +135,7 @@ def moving_points(
 
 
 def _velocities(estimate: Estimate, names: Names, joints: OpenXrHand | None) -> dict[str, Any]:
-    """Of each keypoint or joint; null where it is lost or the engine gives none."""
+    """For each keypoint or joint; null where it is lost or the engine gives none."""
     moving = moving_points(estimate, names, joints)
     listed = names.keypoints if joints is None else JOINTS
     if moving is None:
@@ -154,7 +154,7 @@ def _velocities(estimate: Estimate, names: Names, joints: OpenXrHand | None) -> 
 
 
 def _angles(e: Estimate, names: Names, schema: int) -> dict[str, Any]:
-    """Of each joint; from the second schema on with its rate and standard deviations."""
+    """For each joint; from the second schema on with its rate and standard deviations."""
     lost: BoolArray = e.angle_state == Validity.LOST
     states = [STATE_WORDS[s] for s in e.angle_state.tolist()]
     values = _scalars(e.angles, lost)

@@ -30,7 +30,7 @@ Client = Callable[[ServerConnection], Awaitable[None]]
 
 
 class ServerThread:
-    """Serves ws://host:port/. Port 0 takes any free one; ``port`` says which.
+    """Serves ws://host:port/. Port 0 takes any free one; ``port`` is the one in use.
 
     ``client`` is called in the thread for each connection and ends with it; its ConnectionClosed is
     expected. Raises StreamError, which calls the server ``kind``, where the port cannot be had.

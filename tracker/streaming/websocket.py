@@ -30,7 +30,7 @@ MAX_SAID = 1024  # bytes of a client's message; clients have nothing to say
 
 
 class WebSocketPublisher:
-    """Serves ws://host:port/. Port 0 takes any free one; ``port`` says which."""
+    """Serves ws://host:port/. Port 0 takes any free one; ``port`` is the one in use."""
 
     def __init__(
         self, names: Names, host: str = LOOPBACK, port: int = 0, schema: int = LATEST

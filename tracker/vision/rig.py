@@ -63,7 +63,7 @@ class Camera:
 
 
 class StereoIntrinsics(NamedTuple):
-    """Of both rectified cameras: focal lengths and principal point, px; and the baseline, m."""
+    """For both rectified cameras: focal lengths and principal point, px; and the baseline, m."""
 
     fx: float
     fy: float

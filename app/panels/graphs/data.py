@@ -104,7 +104,7 @@ class SignalData(QObject):
         self._live.choose(self.signals[key] for key in keys if key in self.signals)
 
     def curve(self, signal: Figure) -> Curve:
-        """Of the recording once it has been read, else of the live buffer."""
+        """From the recording once it has been read, otherwise from the live buffer."""
         if self.is_replay and self.recording is not None:
             return self.recording.curve(signal)
         return self._live.curve(signal.key)

@@ -119,7 +119,7 @@ class StereoWizard(QDialog):
     # --- going from page to page
 
     def go_on(self) -> None:
-        """Do what the page's main button says."""
+        """Do what the page's main button offers."""
         page = self.pages.currentIndex()
         (self._start_views, self._start_solving, self._start_check, self._finish)[page]()
 

@@ -6,7 +6,7 @@
 
 The same topics as those of glovetrack_node.py, under ROS 2's names on DDS
 (``rt/hand/right/joint_states``, type ``sensor_msgs::msg::dds_::JointState_``), best effort. It
-keeps to this computer unless CYCLONEDDS_URI says otherwise; the domain is ROS_DOMAIN_ID's. A
+keeps to this computer unless CYCLONEDDS_URI states otherwise; the domain is ROS_DOMAIN_ID's. A
 second process hears it in a test; ROS 2 itself was not at hand.
 """
 

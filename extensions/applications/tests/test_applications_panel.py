@@ -1,4 +1,4 @@
-"""Applications in the real window: drawn around the hand, set, begun anew."""
+"""Applications in the real window: drawn around the hand, changed and restarted."""
 
 from __future__ import annotations
 
@@ -128,7 +128,7 @@ def test_a_hand_without_an_application_is_and_stays_in_the_middle_of_the_view(st
 
 
 def test_the_hand_is_drawn_after_the_colours_have_changed(staged, window, qtbot):
-    """They follow the light; what is open is then described anew, for the same hand."""
+    """They follow the light; an open application is then described again, for the same hand."""
     panel, stage, engine, _ = staged
     setup, profile = window.host.setup, models()[2]
     window.host.adopt(replace(setup, listeners=on(stage), profile=profile))

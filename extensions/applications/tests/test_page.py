@@ -120,7 +120,7 @@ class Browser:
                 return dict(said)
 
     def value(self, script: str) -> Any:
-        """Of an expression; of a promise, what it comes to."""
+        """The value of an expression; of a promise, its result."""
         result = self.ask(
             "Runtime.evaluate", expression=script, returnByValue=True, awaitPromise=True,
             userGesture=True,

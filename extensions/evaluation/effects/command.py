@@ -19,7 +19,7 @@ SHORT = ("clean", "all")
 
 
 class EffectsRow(NamedTuple):
-    """Of several people with one set of effects: mean error (mm), its ratio to that without any,
+    """For several people with one set of effects: mean error (mm), its ratio to that without any,
     the smallest share of instants at which a hand is tracked, and the number of keypoints called
     measured that are more than 50 mm wrong."""
 

@@ -64,8 +64,8 @@ class EffectsCase:
 
 
 class EffectsFigures(NamedTuple):
-    """Of one person: mean error (mm) of the four keypoints, the share of instants at which the hand
-    is tracked, and the number of keypoints called measured that are more than 50 mm wrong."""
+    """For one person: mean error (mm) of the four keypoints, share of instants at which the hand is
+    tracked, and the number of keypoints called measured that are more than 50 mm wrong."""
 
     seed: int
     error_mm: float

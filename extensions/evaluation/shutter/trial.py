@@ -36,8 +36,8 @@ class ShutterCase:
 
 @dataclass(frozen=True)
 class ShutterFigures:
-    """Of one person in one case: mean error (mm) of the four keypoints in the camera's frame, share
-    of instants at which the hand is tracked, and the estimated time offset (ms)."""
+    """For one person in one case: mean error (mm) of the four keypoints in the camera's frame,
+    share of instants at which the hand is tracked, and the estimated time offset (ms)."""
 
     seed: int
     error_mm: float

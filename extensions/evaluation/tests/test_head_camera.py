@@ -18,7 +18,7 @@ from tracker.vision.rig import StereoRig, ideal_rig
 
 
 def mean_error_mm(tells: str) -> float:
-    """Of the four keypoints in the camera's frame, after the first third of 5.4 s."""
+    """For the four keypoints in the camera's frame, after the first third of 5.4 s."""
     hand, glove = models()
     calibrated = ideal_rig()
     bent = calibrated.pose.R_GC @ so3.rx(np.deg2rad(15.0))

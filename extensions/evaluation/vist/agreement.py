@@ -19,7 +19,7 @@ from tracker.messages import Array, Validity
 
 @dataclass(frozen=True)
 class Agreement:
-    """Of one keypoint in one state, "all" for both: share of the instants of the trials in it,
+    """For one keypoint in one state, "all" for both: share of the instants of the trials in it,
     mean error and median sd (mm), NEES per coordinate, and share within 3 sd."""
 
     keypoint: str

@@ -79,7 +79,7 @@ def names_of(folder: Path, feature: str) -> list[str]:
 
 
 def read_by_rerun(folder: Path, episode: int) -> dict[str, list[Any]]:
-    """Of each entity what Rerun's reader gives of it, row by row."""
+    """What the reader of Rerun returns for each entity, row by row."""
     reader = pytest.importorskip("rerun.experimental").LeRobotReader(folder)
     assert reader.version == "v3"
     found: dict[str, list[Any]] = {}

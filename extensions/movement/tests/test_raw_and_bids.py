@@ -71,7 +71,7 @@ def test_raw_samples_are_not_turned_and_have_to_be_there(
         export(without, "imu.csv", tmp_path / "o.csv")
 
 
-def test_a_data_set_holds_the_numbers_and_says_which(
+def test_a_data_set_contains_and_describes_its_values(
     session: Session, tmp_path: Path, session_info
 ) -> None:
     path, packets, estimates = session

@@ -66,7 +66,7 @@ class Fists:
 
 @pytest.fixture(scope="module")
 def sessions(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
-    """Fists simulated and tracked, of a wearer who is what the files say."""
+    """Simulated and tracked fists of a wearer who matches the hand and glove files."""
     folder = tmp_path_factory.mktemp("report")
     simulated, tracked = folder / "simulated.mcap", folder / "tracked.mcap"
     first, info = build(SimulateOptions(seed=3, duration=2.0, images=False))

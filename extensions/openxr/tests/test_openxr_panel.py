@@ -41,7 +41,7 @@ def memory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 @pytest.fixture
 def registration(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Registration:
-    """Of a user with a folder of this test's own."""
+    """For a user with a folder of this test's own."""
     library = tmp_path / "installed" / LIBRARY_NAME
     library.parent.mkdir()
     library.write_bytes(b"a library")

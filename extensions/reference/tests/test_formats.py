@@ -134,7 +134,7 @@ Frame Time: 0.01
 
 
 def test_bvh_positions_are_bvhio_s(tmp_path: Path) -> None:
-    """Of a file as written here, and as bvhio writes it (9 digits) with its own channel order."""
+    """For a file written by this test, and one by bvhio (9 digits) with its own channel order."""
     path, again = tmp_path / "x.bvh", tmp_path / "y.bvh"
     path.write_text(BVH)
     root = bvhio.readAsHierarchy(str(path))

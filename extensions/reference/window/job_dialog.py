@@ -15,7 +15,7 @@ STEPS = 1000
 
 class JobDialog(QDialog):
     """A subclass lays out ``words``, ``progress`` and ``cancel_button``, sets what is disabled
-    meanwhile (``inputs``) and what is said of a cancelled job (``cancelled``), and overrides
+    meanwhile (``inputs``) and the text for a cancelled job (``cancelled``), and overrides
     `enable`."""
 
     def __init__(self, on: CommandContext) -> None:

@@ -87,7 +87,7 @@ def remark_text(remark: Notice) -> str:
 
 
 def residual_rows(about: Described) -> list[tuple[str, str, str, str]]:
-    """Of each keypoint: residuals rigid and with marker offset, and the offset, in mm."""
+    """For each keypoint: residuals rigid and with marker offset, and the offset, in mm."""
     offsets = np.linalg.norm(about.with_offsets.offsets, axis=1)
     shown = np.where(offsets > 0, offsets, np.nan)
     rows = zip(about.keypoints, *about.residuals, shown, strict=True)

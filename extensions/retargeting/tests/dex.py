@@ -19,7 +19,7 @@ PROJECT, ESCAPE, ETA1, ETA2 = 0.03, 0.05, 1e-4, 3e-2  # m
 
 
 class Loss(NamedTuple):
-    """Of errors (n,) with a gradient (n,)."""
+    """For errors (n,) with a gradient (n,)."""
 
     value: np.ndarray
     slope: np.ndarray

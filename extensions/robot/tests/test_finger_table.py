@@ -16,7 +16,7 @@ from extensions.robot.tests.other_hands import written
 
 @pytest.fixture
 def table(window, qtbot, tmp_path: Path):
-    """Of the hand with numbered links, as it is shown when *Fingers* is pressed."""
+    """For the hand with numbered links, as it is shown when *Fingers* is pressed."""
     window.show()
     window.show_panel("robot")
     panel = window.panels["robot"]

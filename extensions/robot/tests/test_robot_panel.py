@@ -165,7 +165,7 @@ def test_without_mujoco_the_panel_names_the_package_to_install(window, monkeypat
 
 
 def _view() -> RobotView:
-    """Of two points: one of the index fingertip's, one of the palm's."""
+    """For two points: one of the index fingertip's, one of the palm's."""
     shape = RobotShape(
         np.array([[1.0, 0, 0], [0, 1.0, 0]]), np.array([[1.0, 0, 0], [0, 1.0, 0]]),
         np.array([0, 1]), np.zeros((0, 3), np.int64), np.zeros(0, np.int64),

@@ -98,7 +98,7 @@ def test_a_session_drives_a_robot_and_the_new_session_contains_both(
 
 
 def test_a_recorded_drive_with_commands_is_repeated_exactly(tmp_path: Path) -> None:
-    """As it was while it was wearer: clutch, scale and reset, and hands that it did not see."""
+    """With clutch, scale and reset as during the drive, and with hands that were not seen."""
     about = info()
     driver = RobotDriver(
         Teleop(RobotSettings()), about.hand, about.glove.keypoint_names(about.hand)

@@ -149,7 +149,7 @@ class RobotControls(QWidget):
         self.show_link()
 
     def show_link(self) -> None:
-        """As it is now."""
+        """The current state."""
         link, self._updating = self._link, True
         self.connect_robot.setChecked(link.on)
         self.model.setItemText(self.model.count() - 1, self._file_title())

@@ -92,7 +92,7 @@ class RoomDialog(QDialog):
 
     @property
     def name(self) -> str:
-        """Of the source that is shown."""
+        """For the source that is shown."""
         return str(self.source.currentData())
 
     def _change_source(self) -> None:

@@ -102,7 +102,7 @@ def summary(rows: Sequence[WearerFigures]) -> dict[str, Any]:
 
 
 def _said(rows: Sequence[WearerFigures], code: str, ruler: bool = False) -> list[int]:
-    """Of how many wearers a notice was given, and of how many in all."""
+    """Number of wearers with a notice, and of all wearers."""
     given = [code in (r.codes_ruler if ruler else r.codes) for r in rows]
     return [sum(given), len(given)]
 

@@ -184,7 +184,7 @@ class TouchMotion:
         return up + MARGIN
 
     def poses(self, t: Array) -> Poses:
-        """Of each instant: between two touches the hand goes from one posture to the next."""
+        """For each instant: between two touches the hand goes from one posture to the next."""
         t = np.asarray(t, float)
         k = np.clip(np.searchsorted([q.leave for q in self._keys], t, side="right") - 1, 0, None)
         before = self._before.poses(np.minimum(t, self._lead))

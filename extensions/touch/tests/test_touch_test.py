@@ -80,7 +80,7 @@ def test_bias_and_spread_agree_with_the_known_errors(tracked, results) -> None:
 
 
 def test_intervals_contain_the_truth(tracked, results) -> None:
-    """Of 18 intervals of a bias at 95 %, at least 14: fewer has a probability below 1 %."""
+    """For 18 intervals of a bias at 95 %, at least 14: fewer has a probability below 1 %."""
     hit = 0
     for tracker, result in zip(tracked, results, strict=True):
         axes = tracker.trial.sheet.R_GS @ np.diag([1.0, -1.0, -1.0])

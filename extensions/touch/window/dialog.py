@@ -140,7 +140,7 @@ class TouchDialog(QDialog):
             self.save_sheet(Path(path))
 
     def save_sheet(self, path: Path) -> None:
-        """Write the sheet as PDF; a message says where, or why not."""
+        """Write the sheet as PDF; a message reports where, or why this failed."""
         from extensions.sheets.page import save_pages  # matplotlib
         from extensions.touch.page import touch_pages
 

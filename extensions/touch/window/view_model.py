@@ -88,7 +88,7 @@ class TouchRun:
             self._watch(t, tip)
 
     def accept(self, t: float) -> None:
-        """The wearer says that the cue was carried out."""
+        """The wearer confirms that the cue was carried out."""
         if self.phase == TouchPhase.RUNNING:
             self._end(t, done=True)
 

@@ -37,7 +37,7 @@ def opened(names: Names, kind: str, **options: str) -> Publisher:
 
 
 def share(names: Names, e: Estimate, joint: str) -> float:
-    """Of the angle's range, from straight (0) to the most (1)."""
+    """For the angle's range, from straight (0) to the most (1)."""
     j = names.angles.index(joint)
     low, high = names.model.angle_limits[j]
     return float(np.clip((e.angles[j] - max(low, 0.0)) / (high - max(low, 0.0)), 0, 1))

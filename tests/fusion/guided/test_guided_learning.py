@@ -58,7 +58,7 @@ def feed(pipeline: Pipeline, messages) -> None:
 
 
 def thumb_offset(pipeline: Pipeline) -> float:
-    """Of the learned synergy, rad beyond the file's."""
+    """For the learned synergy, rad beyond the file's."""
     hand, (gains, _) = pipeline.hand, pipeline.engine.wearer.synergies
     k = next(k for k, s in enumerate(hand.synergies) if s.angle == "thumb_ip_flexion")
     return float(gains[k, 1] - hand.synergies[k].offset)

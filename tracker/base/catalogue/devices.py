@@ -125,7 +125,7 @@ TEXTS = {
     ),
     "glove.range_from_rest": (
         "At rest the glove's acceleration fits a range of {accel_g} g, which is used now."
-        " For rotation {gyro_dps} deg/s is assumed and may be wrong."
+        " For rotation, {gyro_dps} °/s is assumed, which may be wrong."
     ),
     "glove.battery_low": "The glove's battery is low ({volts:.2f} V). Charge it soon.",
     "glove.of_left": "Left glove: {what}",

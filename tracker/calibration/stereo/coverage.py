@@ -44,7 +44,7 @@ class Coverage:
 def coverage(
     views: Sequence[StereoView], sizes: Sequence[Size], params: CoverageParams | None = None
 ) -> Coverage:
-    """Of views in images of these sizes, of each camera."""
+    """For views in images of these sizes, of each camera."""
     p = params or CoverageParams()
     maps = tuple(
         sum((_cells(v.sides[k], *size) for v in views), np.zeros(GRID, np.int64))

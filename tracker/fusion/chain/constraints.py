@@ -47,7 +47,7 @@ class Flexion:
 
 
 class Joints(NamedTuple):
-    """Of the A active segments: parent (A,), R_rest (A, 3, 3)."""
+    """For the A active segments: parent (A,), R_rest (A, 3, 3)."""
 
     parent: IntVector
     R_rest: Stack

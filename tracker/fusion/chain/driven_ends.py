@@ -140,7 +140,7 @@ def driven_points(
     p: Vector,
     P: Matrix,
 ) -> tuple[Stack, Stack, Stack, Matrix]:
-    """Of d driven segments: the joint and the end, ``length`` beyond it, in G (d, 2, 3) m; the
+    """For d driven segments: the joint and the end, ``length`` beyond it, in G (d, 2, 3) m; the
     end's Jacobian (d, 3, 2) by flexion and lateral, its covariance (d, 3, 3) m² by the state alone;
     flexion (rad) of the driving joint and factor of the girth (d, 2)."""
     known, origins = origin_jacobians(skeleton, at, body), segment_origins(skeleton, body, p)

@@ -51,7 +51,7 @@ class SecondLook:
         self._digits = DigitSearch(layout)
 
     def likeliest(self, image: SeenImage, candidates: list[ChainState]) -> ChainState | None:
-        """Of the states that a search proposes, the one that most markers support; None where a
+        """For the states that a search proposes, the one that most markers support; None where a
         chance match would reach as many."""
         best, most = None, 0
         for state in candidates:

@@ -26,7 +26,7 @@ class Dynamic(NamedTuple):
 
 
 class ImuErrors(NamedTuple):
-    """Of n IMUs: gyro bias bg (n, 3) rad/s, mounting R_IB (n, 3, 3), accel bias ba (n, 3) m/s²."""
+    """For n IMUs: gyro bias bg (n, 3) rad/s, mounting R_IB (n, 3, 3), accel bias ba (n, 3) m/s²."""
 
     bg: Matrix
     R_IB: Stack

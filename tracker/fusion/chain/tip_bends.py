@@ -226,7 +226,7 @@ class TipBends:
 
 
 class _Tip(NamedTuple):
-    """Of a digit: joint and middle of the tip p_C (2, 3) m, A (2, 2, 3) of the latter in both
+    """For a digit: joint and middle of the tip p_C (2, 3) m, A (2, 2, 3) of the latter in both
     images, radius px, J (3, 2) and C (3, 3) of `driven_points`, shift (2,) rad from the present
     estimate to the values in use."""
 

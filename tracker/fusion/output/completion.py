@@ -19,7 +19,7 @@ from tracker.messages import Array
 
 
 class HandTables(NamedTuple):
-    """Of the S segments of a hand: parent (S,), origin (S, 3) m, R_rest (S, 3, 3), columns (S, 3)
+    """For the S segments of a hand: parent (S,), origin (S, 3) m, R_rest (S, 3, 3), columns (S, 3)
     of a joint's abduction, flexion and twist among the angles, -1 for none; limits (J, 2) rad of
     the angles; of the synergies links (k, 2), an angle and the one that drives it, and gains (k, 2)
     ratio and offset (rad); row (S,) among the active segments, -1 for none; lateral (S,) rad, fixed

@@ -24,9 +24,9 @@ from tracker.offline.imports.samples import MOST, ImportedSamples
 
 _ACC, _GYR = ("acc", "imu_acc"), ("gyr", "imu_gyr")
 _MOST_BYTES = 400_000_000
-"""Of a file once unpacked: two hours of seven IMUs at 1 kHz in 64 bits."""
+"""For a file once unpacked: two hours of seven IMUs at 1 kHz in 64 bits."""
 _MOST_NUMBERS = 100_000_000
-"""Of one array; a damaged header may declare any number."""
+"""For one array; a damaged header may declare any number."""
 _HEADER, _TAG, _COMPRESSED = 128, 8, 15  # bytes, bytes, kind of element of version 5
 _PIECE = 1_000_000
 _RATES = ("sampling_rate", "rate", "fs")

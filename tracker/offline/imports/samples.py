@@ -35,7 +35,7 @@ class Clocks(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class ImportedSamples:
-    """Of one file: names (n), t (N,) s, accel m/s² and gyro rad/s (N, n, 3), NaN where missing.
+    """For one file: names (n), t (N,) s, accel m/s² and gyro rad/s (N, n, 3), NaN where missing.
 
     ``began_ns`` is the instant of t = 0, ns since 1970, if the file contains it.
     """

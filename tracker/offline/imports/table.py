@@ -47,7 +47,7 @@ _TIME = re.compile(
 _LONGEST_LINE = 100_000  # characters
 _LONGEST_NAME = 200  # characters of a column's name: longer ones take too long to search for units
 _MOST_NUMBERS = 100_000_000
-"""Of one file, 0.8 GB of memory: five hours of seven IMUs at 100 Hz."""
+"""For one file, 0.8 GB of memory: five hours of seven IMUs at 100 Hz."""
 _CLOCKS = ("time", "arrived", "device")
 
 

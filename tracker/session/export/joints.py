@@ -53,7 +53,7 @@ class JointMotion(NamedTuple):
 
 
 def joint_motion(m: EstimateSeries) -> JointMotion:
-    """Of a series in right-handed axes."""
+    """For a series in right-handed axes."""
     hand = m.info.hand
     R = matrices(m.segment_q)
     offset, turn = np.full_like(m.segment_p, np.nan), np.full_like(R, np.nan)

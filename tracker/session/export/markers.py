@@ -55,7 +55,7 @@ def read_sizes(reader: SessionReader) -> Sizes:
 
 
 def carried_markers(reader: SessionReader, m: EstimateSeries) -> Markers:
-    """Of ``m``, which has all its keypoints.
+    """For ``m``, which has all its keypoints.
 
     Where the calibrated hand has them: that the fabric slips is not in it.
     """

@@ -8,7 +8,7 @@ from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 
 IMAGES = ENCODED, VIDEO, NONE = ("encoded", "video", "none")
-"""Of a data set: as recorded, as films by the system's ffmpeg, or left out."""
+"""For a data set: as recorded, as films by the system's ffmpeg, or left out."""
 VIEWS = ("left", "right", "3d", "curves")
 """What films and drawn images show: the cameras, the hand in 3D, flexions over time."""
 AXES_NAMES = ("z-up", "y-up", "ros", "opengl", "opensim", "blender", "unity", "unreal")

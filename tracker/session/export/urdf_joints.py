@@ -44,7 +44,7 @@ class LinkAxes(NamedTuple):
 
 
 class HandAxes(NamedTuple):
-    """Of all segments, and of all keypoints against the segments that they belong to."""
+    """For all segments, and of all keypoints against the segments that they belong to."""
 
     segments: tuple[LinkAxes, ...]
     keypoints: tuple[LinkAxes, ...]
@@ -56,7 +56,7 @@ class HandAxes(NamedTuple):
 
 
 def hand_axes(m: EstimateSeries, origins: Array, tips: Array) -> HandAxes:
-    """Of a series in right-handed axes; ``origins`` (S, 3) and ``tips`` (K, 3) m are where the
+    """For a series in right-handed axes; ``origins`` (S, 3) and ``tips`` (K, 3) m are where the
     last calibration has joints and keypoints in the B before them.
     """
     motion, hand = joint_motion(m), m.info.hand

@@ -22,7 +22,7 @@ CAUSES = (
 the glove sent no packets; an IMU of the part did not answer; nothing measures the part; nothing was
 recorded at all; sensors and images are there but no estimate; the session has no sensors."""
 _SHARE = 0.5
-"""Of the messages that a topic has on average, below which it counts as missing."""
+"""For the messages that a topic has on average, below which it counts as missing."""
 
 
 class CauseFinder:

@@ -174,7 +174,7 @@ def _part_of(keypoint: str) -> str:
 def intervals(
     t: Array, state: IntArray, limit: float, ends: tuple[float, float]
 ) -> Iterator[Interval]:
-    """Of one keypoint with states (N,) at the rising times ``t`` (N,) s of a session that lasts
+    """For one keypoint with states (N,) at the rising times ``t`` (N,) s of a session that lasts
     between ``ends``. One that is never measured is inferred throughout."""
     n = len(t)
     known = np.flatnonzero(state != Validity.LOST)

@@ -16,7 +16,7 @@ from tracker.base.shared_memory import NoSharedMemory, RoomFor, attached, forget
 from tracker.messages import CameraPose, StereoFrame
 
 MOST_BYTES = 134_000_000
-"""Of all places together: 24 pairs at 1280×720, 0.4 s at 60 a second."""
+"""For all places together: 24 pairs at 1280×720, 0.4 s at 60 a second."""
 MOST_SLOTS, FEWEST_SLOTS = 24, 2
 
 Image = NDArray[np.uint8]
@@ -140,5 +140,5 @@ def _bytes(memory: SharedMemory) -> memoryview:
 
 
 def bytes_of(frame: StereoFrame) -> int:
-    """Of both images."""
+    """For both images."""
     return sum(i.nbytes for i in (frame.left, frame.right) if i is not None)

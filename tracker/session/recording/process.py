@@ -73,7 +73,7 @@ class RemoteRecorder:
 
     @property
     def pid(self) -> int:
-        """Of the process that writes."""
+        """For the process that writes."""
         return self._process.pid
 
     def write(self, message: Message, overloaded: bool = False, side: str = "") -> bool:

@@ -222,7 +222,7 @@ def read_leap(path: Path) -> PointTrack:
 
 
 RATE_HZ = 50.0
-"""Of the fit; with a cut-off of 7 Hz a higher rate would add nothing."""
+"""For the fit; with a cut-off of 7 Hz a higher rate would add nothing."""
 
 
 def load_motion(path: Path, hand: HandModel, camera: CameraPose | None = None) -> SplineMotion:

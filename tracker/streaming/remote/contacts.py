@@ -60,7 +60,7 @@ class ContactBook:
             return self._expire(t)
 
     def strength(self, finger: str) -> float:
-        """Of a finger's strongest contact; 0 where it touches nothing."""
+        """For a finger's strongest contact; 0 where it touches nothing."""
         with self._lock:
             mine = [c.strength for key, c in self._standing.items() if key[0] == finger]
             return max(mine, default=0.0)

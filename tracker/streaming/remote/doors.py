@@ -144,12 +144,12 @@ class WebSocketDoor:
 
     async def _client(self, connection: ServerConnection) -> None:
         peer = "{}:{}".format(*connection.remote_address[:2])
-        async for said in connection:
+        async for message in connection:
             t = self._reception.admit(peer)
             if t is None:
                 await connection.close(TOO_MUCH, "too many requests")
                 return
-            future = self._reception.take(partial(parse, said, t))
+            future = self._reception.take(partial(parse, message, t))
             if future is not None:
                 await connection.send((await _reply(future)).as_json())
 

@@ -112,52 +112,52 @@ def parse(data: bytes | str, t: float) -> Request | None:
         raise RequestError(notice("request.too_long", most=MOST_BYTES))
     try:
         text = data.decode("utf-8") if isinstance(data, bytes) else data
-        said = json.loads(text) if text.lstrip().startswith("{") else _words(text)
+        given = json.loads(text) if text.lstrip().startswith("{") else _words(text)
     except (ValueError, RecursionError) as error:
         raise RequestError(notice("request.not_readable")) from error
-    return None if "ok" in said else from_fields(said, t)
+    return None if "ok" in given else from_fields(given, t)
 
 
 def is_reply(data: bytes | str) -> bool:
     """Whether this is one line as `Reply.as_json` writes them, and nothing else."""
     try:
         text = data.decode("utf-8") if isinstance(data, bytes) else data
-        said = json.loads(text)
+        given = json.loads(text)
     except (ValueError, RecursionError):
         return False
-    if not isinstance(said, dict) or "\n" in text.rstrip("\n") or len(text) > MOST_REPLY:
+    if not isinstance(given, dict) or "\n" in text.rstrip("\n") or len(text) > MOST_REPLY:
         return False
-    ok = said.get("ok")
+    ok = given.get("ok")
     return (
         isinstance(ok, bool)
-        and (said.get("do") == "" or said.get("do") in FIELDS)
-        and isinstance(said.get("text" if ok else "error"), str)
-        and all(isinstance(said.get(key, ""), str) for key in ("text", "error", "file"))
-        and isinstance(said.get("values", {}), dict)
-        and all(isinstance(v, _REPLY_VALUES) for key, v in said.items() if key != "values")
+        and (given.get("do") == "" or given.get("do") in FIELDS)
+        and isinstance(given.get("text" if ok else "error"), str)
+        and all(isinstance(given.get(key, ""), str) for key in ("text", "error", "file"))
+        and isinstance(given.get("values", {}), dict)
+        and all(isinstance(v, _REPLY_VALUES) for key, v in given.items() if key != "values")
     )
 
 
 def _words(text: str) -> dict[str, Any]:
     """``note the cup is taken`` or ``vibrate index`` as fields."""
     do, _, rest = text.strip().partition(" ")
-    said: dict[str, Any] = {"do": do.lower()}
-    fields = FIELDS.get(said["do"], ())
+    given: dict[str, Any] = {"do": do.lower()}
+    fields = FIELDS.get(given["do"], ())
     if rest.strip():
-        said[fields[0] if fields else "text"] = rest.strip()
-    return said
+        given[fields[0] if fields else "text"] = rest.strip()
+    return given
 
 
-def from_fields(said: Mapping[str, Any], t: float) -> Request:
-    """A request that holds nothing but what may be said. Raises RequestError in words."""
-    do = said.get("do")
+def from_fields(given: Mapping[str, Any], t: float) -> Request:
+    """A request that contains only known fields with valid values. Raises RequestError."""
+    do = given.get("do")
     if not isinstance(do, str) or do not in FIELDS:
         raise RequestError(notice("request.unknown", known=FIELDS))
     known = (*FIELDS[do], "do", "id")
-    strange = [key for key in said if key not in known]
+    strange = [key for key in given if key not in known]
     if strange:
         raise RequestError(notice("request.unknown_field", do=do, field=str(strange[0])[:40]))
-    values = {key: _CHECKS[key](value) for key, value in said.items() if key != "do"}
+    values = {key: _CHECKS[key](value) for key, value in given.items() if key != "do"}
     request = Request(do, t, **values)
     if do == "note" and not request.text:
         raise RequestError(notice("request.note_empty"))
@@ -200,7 +200,7 @@ def _share(value: object) -> float:
 
 
 def _object(value: object) -> str:
-    """Of a thing that is touched."""
+    """The name of a touched object. Raises RequestError."""
     name = _text(value)
     if len(name) > MOST_NAME:
         raise RequestError(notice("request.object", most=MOST_NAME))

@@ -15,8 +15,8 @@ NEAR = 0.01
 
 
 class Bodies(NamedTuple):
-    """Of N bodies: kinds, shown (N,); R_GB (N, 3, 3), a rotation multiplied by a size, and p_GB (N,
-    3) m; R_BS, p_BS of the solid in the body; forms (N, 5) m; looks (N, 9) see `view`."""
+    """For N bodies: kinds, shown (N,); R_GB (N, 3, 3), a rotation times a size, and p_GB (N, 3) m;
+    R_BS, p_BS of the solid in the body; forms (N, 5) m; looks (N, 9) see `view`."""
 
     kinds: IntVector
     shown: BoolVector
