@@ -1,12 +1,11 @@
-"""Shapes drawn over an image: plain data in image pixels, painted by `ImageView`."""
+"""Shapes drawn over an image: plain data in image pixels, drawn by `ImageView`."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 
-@dataclass(frozen=True)
-class Ring:
+class Ring(NamedTuple):
     """A circle around a point, ``radius`` in image pixels; ``filled`` see-through."""
 
     u: float
@@ -19,8 +18,7 @@ class Ring:
     filled: bool = False
 
 
-@dataclass(frozen=True)
-class Cross:
+class Cross(NamedTuple):
     """An upright or (``diagonal``) diagonal cross of fixed size on the screen."""
 
     u: float
@@ -30,8 +28,7 @@ class Cross:
     opacity: float = 1.0
 
 
-@dataclass(frozen=True)
-class Ellipse:
+class Ellipse(NamedTuple):
     """Half axes ``a``, ``b`` in image pixels; ``angle`` rad of the first against u."""
 
     u: float
@@ -43,8 +40,7 @@ class Ellipse:
     opacity: float = 1.0
 
 
-@dataclass(frozen=True)
-class ImageLine:
+class ImageLine(NamedTuple):
     u0: float
     v0: float
     u1: float
@@ -55,8 +51,7 @@ class ImageLine:
     opacity: float = 1.0
 
 
-@dataclass(frozen=True)
-class ImageLabel:
+class ImageLabel(NamedTuple):
     """Text next to a point, of constant size; hidden below ``least_zoom`` screen pixels per image
     pixel, where texts would overlap."""
 
