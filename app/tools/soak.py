@@ -258,7 +258,7 @@ def soak(minutes: float, choice: DemoChoice, folder: Path, drawn: bool = False) 
 def _watch(window: MainWindow, out: Soak) -> Soak:
     from app.window.headless_report import wait_until
 
-    if not wait_until(lambda: _tracked(window), START_TIMEOUT):
+    if not wait_until(lambda: is_tracked(window), START_TIMEOUT):
         raise SystemExit("The demo did not find the hand.")
     out.start_to_tracked_s = round(time.time() - STARTED, 2)
     out.memory_mb.append(memory_mb())
@@ -283,7 +283,7 @@ def _watch(window: MainWindow, out: Soak) -> Soak:
     return out
 
 
-def _tracked(window: MainWindow) -> bool:
+def is_tracked(window: MainWindow) -> bool:
     view = window.host.snapshot()
     if view is None or view.estimate is None:
         return False

@@ -30,10 +30,9 @@ from PySide6.QtWidgets import QApplication
 from app.engines.demo_camera import DemoChoice, start_camera
 from app.platform.process_tuning import tune_process
 from app.tools import stream_readers
-from app.tools.soak import SIZE, START_TIMEOUT
+from app.tools.soak import SIZE, START_TIMEOUT, is_tracked
 from tracker.base.files import check_target, write_whole
 from tracker.base.terminal import add_force
-from tracker.messages import Tracking
 
 if TYPE_CHECKING:
     from app.window.main_window import MainWindow
@@ -137,7 +136,7 @@ def measure(
 def _alternate(window: MainWindow, cost: Cost, turns: int, seconds: float) -> Cost:
     from app.window.headless_report import wait_until
 
-    if not wait_until(lambda: _tracked(window), START_TIMEOUT):
+    if not wait_until(lambda: is_tracked(window), START_TIMEOUT):
         raise SystemExit("The demo did not find the hand.")
     ported = [name for name in cost.streams if window.outputs.kinds[name].has("port")]
     for name, port in zip(ported, _free_ports(len(ported)), strict=True):
@@ -155,12 +154,6 @@ def _alternate(window: MainWindow, cost: Cost, turns: int, seconds: float) -> Co
     _switch(window, cost.streams, False)
     cost.conclude()
     return cost
-
-
-def _tracked(window: MainWindow) -> bool:
-    view = window.host.snapshot()
-    estimate = view.estimate if view is not None else None
-    return estimate is not None and estimate.tracking == Tracking.TRACKING
 
 
 def _free_ports(count: int) -> list[int]:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.engines.snapshot import Snapshot
 from app.viewmodels.states import GREY, VALIDITY
@@ -122,20 +123,25 @@ def _predicted(
 ) -> list[Shape]:
     """The predicted position of each marker, with its id and (left) the 2σ ellipse."""
     uv = result.predicted_right if right else result.predicted_left
-    pixels = _marker_pixels(view, right)
+    known = np.isfinite(uv).all(axis=1)
+    pixels = _marker_pixels(view, right) if not known.all() else uv
+    opaque = result.visible >= VISIBLE
+    ellipses = _ellipses(result.predicted_cov, known & opaque) if not right else {}
     out: list[Shape] = []
     for marker in view.setup.glove.markers:
-        u, v = (float(x) for x in uv[marker.id])
         colour = colours.get(marker.hue, WHITE)
-        if not np.isfinite([u, v]).all():
+        if not known[marker.id]:
             out += _outside(pixels[marker.id], colour, view, right)
             continue
-        opacity = 1.0 if result.visible[marker.id] >= VISIBLE else DIM
-        out.append(Cross(u, v, colour, opacity=opacity))
-        if opacity == 1.0:
-            out.append(ImageLabel(u, v, str(marker.id), WHITE, opacity, ID_ZOOM))
-            if not right:
-                out += _ellipse(u, v, result.predicted_cov[marker.id])
+        u, v = uv[marker.id].tolist()
+        if not opaque[marker.id]:
+            out.append(Cross(u, v, colour, opacity=DIM))
+            continue
+        out.append(Cross(u, v, colour))
+        out.append(ImageLabel(u, v, str(marker.id), WHITE, 1.0, ID_ZOOM))
+        if marker.id in ellipses:
+            a, b, angle = ellipses[marker.id]
+            out.append(Ellipse(u, v, a, b, angle, WHITE, 0.8))
     return out
 
 
@@ -160,14 +166,15 @@ def _outside(uv: Array, colour: str, view: Snapshot, right: bool) -> list[Shape]
     return [Cross(float(edge[0]), float(edge[1]), colour, diagonal=True, opacity=DIM)]
 
 
-def _ellipse(u: float, v: float, cov: Array) -> list[Shape]:
-    """The 2σ ellipse of a 2 by 2 covariance in px²."""
-    if not np.isfinite(cov).all():
-        return []
-    values, vectors = np.linalg.eigh(cov)
-    b, a = 2 * np.sqrt(np.maximum(values, 0))
-    angle = float(np.arctan2(vectors[1, 1], vectors[0, 1]))
-    return [Ellipse(u, v, float(a), float(b), angle, WHITE, 0.8)]
+def _ellipses(cov: Array, wanted: NDArray[np.bool_]) -> dict[int, tuple[float, float, float]]:
+    """Half axes (px) and angle (rad) of the 2σ ellipses of the ``wanted`` covariances (M, 2, 2),
+    px²."""
+    rows = np.flatnonzero(wanted & np.isfinite(cov).all(axis=(1, 2)))
+    values, vectors = np.linalg.eigh(cov[rows])
+    axes = 2 * np.sqrt(np.maximum(values, 0))
+    angle = np.arctan2(vectors[:, 1, 1], vectors[:, 0, 1])
+    found = zip(rows.tolist(), axes.tolist(), angle.tolist(), strict=True)
+    return {row: (a, b, turned) for row, (b, a), turned in found}
 
 
 def _residuals(result: FrameResult, blobs: Blobs, right: bool) -> list[Shape]:

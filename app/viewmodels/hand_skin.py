@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 import numpy.typing as npt
@@ -22,7 +23,7 @@ FADE_FROM, FADE_TO = 0.05, 0.125  # and where the forearm, which is not tracked,
 OUTER, INNER = (0, 1, 2, 3), (0, 1)
 """Rings of a patch that is visible now, and of one visible recently; one never seen is the last
 ring only."""
-NOTICEABLE = 1e-3  # change of scale after which the mesh is resized
+NOTICEABLE = 4e-3  # change of scale, half a pixel, after which the mesh is resized
 Faces = npt.NDArray[np.bool_]
 
 
@@ -88,8 +89,7 @@ class HandSkin:
 
     def draped_patches(self, R: Array, p: Array, colours: list[str]) -> Draped:
         """The patches of the glove in ``colours`` by marker."""
-        rows = np.array([[*_rgb(c), 1.0, 0.45, 0.0, 0.0] for c in colours]).reshape(-1, LOOK)
-        return Draped(*posed(self._rest_patches, R, p), np.repeat(rows, PATCH_POINTS, axis=0))
+        return Draped(*posed(self._rest_patches, R, p), _patch_looks(tuple(colours)))
 
     def patch_faces(self, now: Faces, lately: Faces) -> Faces:
         """(F,) faces of the patches to draw, for markers (M,) visible now and recently."""
@@ -110,6 +110,13 @@ def scales(hand: HandModel, calibration: Calibration | None) -> Array:
         if not known[i]:
             out[i] = out[parent] if parent >= 0 and parent != hand.root else mean
     return out
+
+
+@lru_cache(maxsize=4)
+def _patch_looks(colours: tuple[str, ...]) -> Array:
+    """Rows of looks for the points of all patches."""
+    rows = np.array([[*_rgb(c), 1.0, 0.45, 0.0, 0.0] for c in colours]).reshape(-1, LOOK)
+    return np.repeat(rows, PATCH_POINTS, axis=0)
 
 
 def _look(state: Validity) -> list[float]:

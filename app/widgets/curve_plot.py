@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QEvent, QPointF, Qt, Signal
-from PySide6.QtGui import QFontMetricsF, QResizeEvent
+from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QFontMetricsF, QPainter, QPainterPath, QResizeEvent
 from PySide6.QtWidgets import QGraphicsItem, QVBoxLayout, QWidget
 
 from tracker.messages import Array
@@ -57,6 +57,32 @@ class CurveLook(NamedTuple):
     right: bool = False
 
 
+class CurveItem(pg.PlotCurveItem):
+    """A curve with the size of its view. For pyqtgraph's own, the size follows from the data at
+    each change, which takes three times as long as drawing."""
+
+    _path: QPainterPath | None = None
+
+    def show_points(self, t: Array, values: Array) -> None:
+        """t (n,), values (n,); NaN interrupts the line."""
+        self.xData, self.yData, self._path = t, values, None
+        self.update()
+
+    def boundingRect(self) -> QRectF:
+        view = self.getViewBox()
+        return QRectF(view.viewRect()) if view is not None else QRectF()
+
+    def paint(self, painter: QPainter, *_: object) -> None:
+        if self.xData is None or len(self.xData) < 2:
+            return
+        if self._path is None:
+            whole = np.isfinite(self.yData).all()
+            connect = "all" if whole else "finite"
+            self._path = pg.arrayToQPath(self.xData, self.yData, connect, finiteCheck=False)
+        painter.setPen(self.opts["pen"])
+        painter.drawPath(self._path)
+
+
 def keep_axes(plot: pg.PlotWidget, sides: Sequence[str] = ("left", "bottom")) -> None:
     """Redraw the axes only when they change; they cost more than the curves."""
     for side in sides:
@@ -92,7 +118,7 @@ class CurvePlot(QWidget):
         self.plot.showGrid(y=True, alpha=0.2)
         keep_axes(self.plot)
         self.plot.getAxis("bottom").enableAutoSIPrefix(False)
-        self.curves: list[pg.PlotCurveItem] = []
+        self.curves: list[CurveItem] = []
         self._looks: Sequence[CurveLook] = ()
         self._seen: list[Array] = []  # drawn values of each curve
         self._cursor, self.at = (pg.InfiniteLine(angle=90, movable=False) for _ in range(2))
@@ -130,7 +156,7 @@ class CurvePlot(QWidget):
         self._looks, self.curves = tuple(looks), []
         for look in looks:
             pen = pg.mkPen(look.colour, width=1, style=look.style)
-            curve = pg.PlotCurveItem(pen=pen, name=look.name or None)
+            curve = CurveItem(pen=pen, name=look.name or None)
             self._place(look).addItem(curve)
             self.curves.append(curve)
 
@@ -151,7 +177,7 @@ class CurvePlot(QWidget):
         self._seen = []
         for curve, (t, values) in zip(self.curves, curves, strict=True):
             t, values = thinned(t, values, begin + now, end + now, columns)
-            curve.setData(t - now, values, connect="finite")
+            curve.show_points(t - now, values)
             self._seen.append(values)
 
     def show_cursor(self, t: float | None) -> None:

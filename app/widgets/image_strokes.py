@@ -142,15 +142,23 @@ def _draw_oval(strokes: Matrix, i: int, canvas: Written[UInt32Matrix]) -> None:
     filling = strokes[i, FILLING]
     colour = strokes[i, RED], strokes[i, RED + 1], strokes[i, RED + 2]
     reach = 0.5 * width + 0.5
-    wide = np.sqrt((a * cos) ** 2 + (b * sin) ** 2) + reach
     tall = np.sqrt((a * sin) ** 2 + (b * cos) ** 2) + reach
     rows, columns = canvas.shape
-    first = min(max(int(np.floor(max(cx - wide, -1.0))), 0), columns)
-    last = min(int(np.floor(min(cx + wide, float(columns)))) + 1, columns)
     top = min(max(int(np.floor(max(cy - tall, -1.0))), 0), rows)
     for y in range(top, min(int(np.floor(min(cy + tall, float(rows)))) + 1, rows)):
-        for x in range(first, last):
-            u, v = x + 0.5 - cx, y + 0.5 - cy
+        v = y + 0.5 - cy
+        low, high = _oval_span(a + 2 * reach, b + 2 * reach, cos, sin, v)
+        inner_low, inner_high = 1.0, -1.0  # not drawn between them
+        if filling == 0.0 and a > 2 * reach and b > 2 * reach:
+            inner_low, inner_high = _oval_span(a - 2 * reach, b - 2 * reach, cos, sin, v)
+        x = int(np.floor(min(max(cx + low, 0.0), float(columns))))
+        last = int(np.floor(min(max(cx + high, -1.0), columns - 1.0)))
+        while x <= last:
+            u = x + 0.5 - cx
+            if inner_low < u < inner_high:
+                x = int(np.floor(min(cx + inner_high + 0.5, float(columns))))
+                inner_low = inner_high
+                continue
             p, q = cos * u + sin * v, cos * v - sin * u
             f = np.sqrt((p / a) ** 2 + (q / b) ** 2)
             slope = np.sqrt((p / (a * a)) ** 2 + (q / (b * b)) ** 2)
@@ -162,6 +170,21 @@ def _draw_oval(strokes: Matrix, i: int, canvas: Written[UInt32Matrix]) -> None:
                 along = np.arctan2(q / b, p / a) * 0.5 * (a + b) if dashed > 0.0 else 0.0
                 share = opacity * cover * _on_dash(along, width, dashed)
                 _blend(canvas, y, x, colour, share)
+            x += 1
+
+
+@kernel(error_model="numpy")
+def _oval_span(a: float, b: float, cos: float, sin: float, v: float) -> tuple[float, float]:
+    """Where a row ``v`` px below the centre is inside an ellipse: first and last u px from the
+    centre; an empty interval (1, -1) for none."""
+    square = (cos / a) ** 2 + (sin / b) ** 2
+    half = cos * sin * v * (1.0 / (a * a) - 1.0 / (b * b))
+    rest = v * v * ((sin / a) ** 2 + (cos / b) ** 2) - 1.0
+    root = half * half - square * rest
+    if root < 0.0:
+        return 1.0, -1.0
+    root = np.sqrt(root)
+    return (-half - root) / square, (-half + root) / square
 
 
 @kernel(error_model="numpy")

@@ -59,6 +59,7 @@ class TipRings:
 
     def update(self, scene: HandScene, wanted: bool, orbit: Orbit) -> None:
         """Draw rings of two standard deviations around the fingertips of ``scene``."""
+        towards = facing(orbit)
         for i, (whole, broken) in enumerate(zip(self._whole, self._broken, strict=True)):
             known = bool(np.isfinite(scene.tips[i]).all() and np.isfinite(scene.tip_sd[i]))
             radius = 2 * float(scene.tip_sd[i]) if known else 0.0
@@ -66,7 +67,7 @@ class TipRings:
             broken.show(wanted and known and radius > LIMIT)
             if wanted and known:
                 body: DrawnBody = whole if radius <= LIMIT else broken
-                body.move(facing(orbit) * min(max(radius, 1e-4), LIMIT), scene.tips[i])
+                body.move(towards * min(max(radius, 1e-4), LIMIT), scene.tips[i])
 
 
 def ring(broken: bool) -> Lines:
