@@ -145,7 +145,7 @@ def _unspared(view: Snapshot | None) -> Snapshot | None:
     """As on a computer that is fast enough: nothing is left out."""
     if view is None or view.status is None:
         return view
-    values = view.status.values | {"load_shed": 0.0}
+    values = {**view.status.values, "load_shed": 0.0}
     others = tuple(seen for other in view.others if (seen := _unspared(other)) is not None)
     return replace(view, status=replace(view.status, values=values), others=others)
 

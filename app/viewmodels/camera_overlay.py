@@ -123,7 +123,7 @@ def _predicted(
 ) -> list[Shape]:
     """The predicted position of each marker, with its id and (left) the 2σ ellipse."""
     uv = result.predicted_right if right else result.predicted_left
-    known = np.isfinite(uv).all(axis=1)
+    known: NDArray[np.bool_] = np.asarray(np.isfinite(uv).all(axis=1))
     pixels = _marker_pixels(view, right) if not known.all() else uv
     opaque = result.visible >= VISIBLE
     ellipses = _ellipses(result.predicted_cov, known & opaque) if not right else {}
