@@ -9801,6 +9801,46 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>Another program has the glove's port open. Close it; the glove is then used automatically.</source>
+      <translation>Ein anderes Programm belegt den Anschluss des Handschuhs. Schließen Sie es; der Handschuh wird dann automatisch verwendet.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Another USB adapter has the same serial number as the glove's at {port}. Gloves are then recognised by their own number: give each a different one (glovetrack firmware write PORT --glove-id N).</source>
+      <translation>Ein weiterer USB-Adapter hat dieselbe Seriennummer wie der des Handschuhs an {port}. Handschuhe werden dann an ihrer eigenen Nummer erkannt: Geben Sie jedem eine andere (glovetrack firmware write PORT --glove-id N).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove restarted when a motor started: the motor draws more current than the supply delivers. Charge the battery, or give the motors a supply and a capacitor of their own.</source>
+      <translation>Der Handschuh ist neu gestartet, als ein Motor anlief: Der Motor zieht mehr Strom, als die Versorgung liefert. Laden Sie den Akku, oder geben Sie den Motoren eine eigene Versorgung mit Kondensator.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove restarts because its supply voltage drops. Charge the battery, use a shorter or thicker USB cable, and avoid unpowered hubs.</source>
+      <translation>Der Handschuh startet neu, weil seine Versorgungsspannung einbricht. Laden Sie den Akku, verwenden Sie ein kürzeres oder dickeres USB-Kabel, und vermeiden Sie Hubs ohne Netzteil.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Bursts of damaged data arrive from the glove: its cable or a plug has a bad contact. Move the cable less, check the plugs, or replace the cable.</source>
+      <translation>Vom Handschuh treffen schubweise beschädigte Daten ein: Sein Kabel oder ein Stecker hat einen Wackelkontakt. Bewegen Sie das Kabel weniger, prüfen Sie die Stecker, oder tauschen Sie das Kabel aus.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>IMU {imu} of the glove is lost again and again: its select line has a bad contact. Check the wires and solder joints of this IMU.</source>
+      <translation>Die IMU {imu} des Handschuhs fällt immer wieder aus: Ihre Auswahlleitung hat einen Wackelkontakt. Prüfen Sie die Drähte und Lötstellen dieser IMU.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The system has suspended the glove's USB adapter to save power. Install the udev rule of the package, or run: echo on | sudo tee /sys/bus/usb/devices/*/power/control</source>
+      <translation>Das System hat den USB-Adapter des Handschuhs zum Stromsparen angehalten. Installieren Sie die udev-Regel des Pakets, oder führen Sie aus: echo on | sudo tee /sys/bus/usb/devices/*/power/control</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Data arrive from the glove's port that cannot be decoded at {baud} baud. Choose another speed under Set-up, Glove, or write the firmware for this speed.</source>
+      <translation>Vom Anschluss des Handschuhs treffen Daten ein, die sich bei {baud} Baud nicht dekodieren lassen. Wählen Sie unter Einrichtung, Handschuh eine andere Geschwindigkeit, oder schreiben Sie die Firmware für diese Geschwindigkeit.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>The glove was unplugged ({why}). It is used again as soon as it returns.</source>
       <translation>Der Handschuh wurde abgezogen ({why}). Er wird wieder verwendet, sobald er zurück ist.</translation>
     </message>
@@ -9922,12 +9962,12 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>IMU {imu} of the glove: axes that no longer change: {axes:list}. Restart the glove; if they stay so, replace the IMU.</source>
-      <translation>IMU {imu} des Handschuhs: Achsen, die sich nicht mehr ändern: {axes:list}. Starten Sie den Handschuh neu; bleibt es dabei, ersetzen Sie die IMU.</translation>
+      <translation>IMU {imu} des Handschuhs: Achsen, die sich nicht mehr ändern: {axes:list}. Starten Sie den Handschuh neu; bleiben sie so, tauschen Sie die IMU aus.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>The recording has {rests} rests; at least {fewest} in different positions are needed. Lay the glove still for two seconds on each side of a box.</source>
-      <translation>Die Aufnahme hat {rests} Ruhelagen; nötig sind mindestens {fewest} in verschiedenen Lagen. Legen Sie den Handschuh je zwei Sekunden ruhig auf jede Seite einer Schachtel.</translation>
+      <translation>Die Aufnahme enthält {rests} Ruhelagen; nötig sind mindestens {fewest} in verschiedenen Lagen. Legen Sie den Handschuh auf jeder Seite einer Schachtel zwei Sekunden lang ruhig hin.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -9937,12 +9977,12 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>{path} is a recording of another glove: it has the IMU {imu}.</source>
-      <translation>{path} ist eine Aufnahme eines anderen Handschuhs: Sie hat die IMU {imu}.</translation>
+      <translation>{path} ist die Aufnahme eines anderen Handschuhs: Sie enthält die IMU {imu}.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>The recordings have no rest of a second. Lay the glove down at the beginning and at the end.</source>
-      <translation>Die Aufnahmen enthalten keine Ruhe von einer Sekunde. Legen Sie den Handschuh am Anfang und am Ende ab.</translation>
+      <translation>In den Aufnahmen ruht der Handschuh nie eine Sekunde lang. Legen Sie ihn am Anfang und am Ende hin.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />

@@ -53,6 +53,8 @@ class Scripted:
         raw = np.zeros((N, 6), np.int16)
         raw[:, 2] = self.rest_counts
         raw[:, :3] += (self.motion * self.rng.standard_normal((N, 3))).astype(np.int16)
+        if self.motion:
+            raw[:, 3:] = self.rng.integers(-2, 3, (N, 3))
         self.seq += 1
         self.truth.append(t)
         return Samples((self.seq - 1) % 65536, round(1e6 * t * (1 + SKEW)) % 2**32, raw)

@@ -28,6 +28,7 @@ from tracker.sensors.glove_messages import (
 from tracker.sensors.glove_port import GlovePort
 from tracker.sensors.glove_report import GloveReport
 from tracker.sensors.imu_watch import CHIPS, ImuWatch
+from tracker.sensors.link_faults import LinkFaults, not_opened
 from tracker.sensors.link_figures import Announcements, LinkFigures, LowBattery
 from tracker.sensors.packet_clock import SEQ_BITS, PacketClock
 from tracker.sensors.protocol import (
@@ -116,6 +117,7 @@ class GloveLink:
         self.decoder = FrameDecoder()
         self.figures = LinkFigures(counters=self.decoder.counters, imus=ImuWatch(imu_count))
         self._battery = LowBattery()
+        self._faults = LinkFaults(imu_count)
         self._imu_ok = (1 << imu_count) - 1
         self._ranges: Ranges | None = None
         self._at_rest = RangeFromRest()
@@ -142,6 +144,8 @@ class GloveLink:
             for frame in self.decoder.feed(data):
                 if self._port is not None:  # a stranger's was closed
                     out += self._take(frame, now)
+            counters = self.decoder.counters
+            self._report(self._faults.errors(now, counters.errors, counters.frames))
             self._watch(now)
             if self._write_error is not None:
                 raise self._write_error
@@ -156,6 +160,8 @@ class GloveLink:
             return False
         try:
             if self._port is not None:
+                if amplitude and duration_ms:
+                    self._faults.motor_started(self._clock())
                 return write_now(self._port, encode(Haptic(channel, amplitude, duration_ms)))
         except (serial.SerialException, OSError) as error:
             self._write_error = error
@@ -216,9 +222,11 @@ class GloveLink:
         try:
             self._port = self._open_port()
         except (serial.SerialException, OSError) as error:
-            self._events.once("open", warning("glove.port_not_opened", why=reason(error)))
+            self._events.once("open", not_opened(error))
             return
         self._events.topics.discard("open")
+        if isinstance(self._open_port, GlovePort) and self._open_port.has_twin:
+            self._events.once("twin", warning("glove.twin_adapters", port=self._open_port.path))
         self.figures.opened += 1
         self.figures.latency_ms = getattr(self._port, "latency_ms", None)
         counters, self.decoder = self.decoder.counters, FrameDecoder()
@@ -227,6 +235,7 @@ class GloveLink:
 
     def _greet(self, now: float) -> None:
         self.state, self._since, self._asked = LinkState.GREETING, now, False
+        self._before_greeting = replace(self.decoder.counters)
         self.hello, self._ranges, self._at_rest = None, None, RangeFromRest()
         self._last_seq = self._before = None
         self._events.topics -= {"range", "ranges", "rate"}
@@ -330,6 +339,11 @@ class GloveLink:
     def _restarted(self) -> None:
         self.figures.resets += 1
         self._events.report(warning("glove.restarted"))
+        self._report(self._faults.restarted(self._clock(), self.figures.battery_mV))
+
+    def _report(self, what: Notice | None) -> None:
+        if what is not None:
+            self._events.report(what)
 
     def _begin(self, now: float) -> None:
         self._packet_clock, self._last_seq, self._began = self._new_clock(), None, now
@@ -392,6 +406,8 @@ class GloveLink:
                     notice("glove.imu_back", imu=j) if back else warning("glove.imu_silent", imu=j)
                 )
                 self._events.report(what)
+                if not back:
+                    self._report(self._faults.imu_lost(j, self._clock()))
 
     def _watch(self, now: float) -> None:
         """What does not come: HELLO, or samples."""
@@ -402,11 +418,20 @@ class GloveLink:
                 self._send(Stop())  # one that streams since an earlier run says HELLO again
                 self._send(HelloRequest())
             if waited > p.boot + p.patience and not self._is_stranger(None, now):
-                self._events.report(warning("glove.no_hello"))
+                self._events.report(self._why_no_hello())
                 self._begin(now)
         elif self.state == LinkState.STREAMING and waited > p.silent_after:
             self.state = LinkState.SILENT
-            self._events.report(warning("glove.silent", silent_s=p.silent_after))
+            suspended = getattr(self._port, "is_suspended", False)
+            silent = warning("glove.silent", silent_s=p.silent_after)
+            self._events.report(warning("glove.usb_suspended") if suspended else silent)
+
+    def _why_no_hello(self) -> Notice:
+        """Bytes of which none is a frame are those of another speed."""
+        now, before = self.decoder.counters, self._before_greeting
+        if now.frames == before.frames and now.errors > before.errors:
+            return warning("glove.wrong_baud", baud=self.params.baud)
+        return warning("glove.no_hello")
 
 
 def _stranger(place: GlovePort, glove_id: int | None) -> Notice:

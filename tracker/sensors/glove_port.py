@@ -41,6 +41,15 @@ class GlovePort:
         """The USB adapter of the glove; None where the port is on no list."""
         return self._adapter
 
+    @property
+    def has_twin(self) -> bool:
+        """Whether another adapter has the same serial number, so that it does not
+        distinguish the gloves."""
+        own = self._adapter
+        if own is None or not own.serial_number:
+            return False
+        return sum(port[1:] == own[1:] for port in self._ports()) > 1
+
     def __call__(self) -> Port:
         """The glove's port, open. Raises OSError where there is none."""
         trouble: OSError | None = None

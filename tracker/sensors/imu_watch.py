@@ -75,9 +75,9 @@ class ImuWatch:
         return np.array([np.nan if v is None else v / 100 for v in self.temperatures_cC])
 
     def stuck(self, imu: int) -> tuple[str, ...]:
-        """Axes of an IMU that are stuck while others change."""
+        """Axes of an IMU that are stuck while at least as many change: those of one sensor."""
         still = self._same[imu] >= STUCK_PACKETS
-        if still.all():  # the whole IMU does not respond, or the glove is simulated without noise
+        if still.sum() > 3:  # the IMU does not respond, or the glove is simulated without noise
             return ()
         return tuple(axis for axis, is_stuck in zip(AXES, still, strict=True) if is_stuck)
 

@@ -30,6 +30,7 @@ UART_NAMES = ("ttyUSB", "ttyS", "ttyAMA", "cu.usbserial", "cu.SLAB", "cu.wchusb"
 CDC_NAMES = ("ttyACM", "cu.usbmodem", "tty.usbmodem", "COM")  # a COM port on USB that is no bridge
 GOOD_LATENCY_MS = 2
 MOST_AT_ONCE = 65536  # bytes
+TTY_FILES = Path("/sys/class/tty")
 LATENCY_FILES = Path("/sys/bus/usb-serial/devices")
 
 
@@ -192,9 +193,26 @@ class SerialPort(serial.Serial):
         return 0
 
     @property
+    def is_suspended(self) -> bool:
+        """Whether the system has suspended the USB device, to save power."""
+        return is_suspended(self._path)
+
+    @property
     def latency_ms(self) -> int | None:
         """How long an FTDI adapter holds bytes back; None where the system does not say."""
         return latency_of(self._path)
+
+
+def is_suspended(path: str, root: Path = TTY_FILES) -> bool:
+    """Whether the system has suspended the USB device of a port, on Linux; False elsewhere."""
+    device = (root / Path(path).name / "device").resolve()
+    for folder in (device, *list(device.parents)[:4]):
+        try:
+            if (folder / "power" / "runtime_status").read_text().strip() == "suspended":
+                return True
+        except OSError:
+            continue
+    return False
 
 
 def serial_port(path: str, baud: int = BAUD) -> Callable[[], Port]:

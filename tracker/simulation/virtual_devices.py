@@ -23,7 +23,9 @@ from tracker.sensors.image_input import Image, Pair
 from tracker.sensors.protocol import (
     BAUD,
     BITS_PER_BYTE,
+    Frame,
     GloveStatus,
+    Haptic,
     Hello,
     HelloRequest,
     Samples,
@@ -32,6 +34,7 @@ from tracker.sensors.protocol import (
     encode,
 )
 from tracker.simulation.backgrounds import fabric_bgr
+from tracker.simulation.electric import ELECTRIC_FAULTS, REFUSALS, ElectricFault
 from tracker.simulation.glove_device import ACCEL_RANGE_G, GYRO_RANGE_DPS, quantised
 from tracker.simulation.scene import SimulatedScene
 
@@ -53,6 +56,7 @@ class VirtualGlove:
         self._next = next(source, None)
         self._wire = BITS_PER_BYTE * (12 * imu_count + 11) / BAUD
         self._fault = ""
+        self._electric = ElectricFault("", 0.0, self._rng)
         self._out = b""
         self._sent: deque[int] = deque(maxlen=1000)
         self.now = self._ready_at = 0.0
@@ -73,8 +77,10 @@ class VirtualGlove:
         """Advance the time to ``now`` (s)."""
         self.now = now
         while self._next is not None and self._next.t + self._wire <= now:
+            if self._electric.is_reset_due(now):
+                self._reset()
             if self._streaming:
-                self._put(encode(self._packet(self._next)))
+                self._send(self._packet(self._next))
             self._next = next(self._source, None)
         self._speak()
 
@@ -82,19 +88,21 @@ class VirtualGlove:
         """HELLO until START, STATUS once a second after it."""
         if self._streaming and self.now >= self._next_status:
             self._next_status = self.now + 1.0
-            self._put(encode(GloveStatus(3700, 2900, (1 << self._imu_count) - 1, 0)))
+            self._send(GloveStatus(3700, 2900, (1 << self._imu_count) - 1, 0))
         elif not self._streaming and self.now >= self._next_hello:
             self._next_hello = self.now + 1.0
             self._put(encode(self._hello()))
 
     def fail(self, kind: str) -> None:
-        """Start one of `GLOVE_FAULTS`."""
+        """Start one of `GLOVE_FAULTS` or `ELECTRIC_FAULTS`."""
+        if kind in ELECTRIC_FAULTS:
+            self._electric = ElectricFault(kind, self.now, self._rng)
+            return
         self._fault = kind
         if kind == "unplug":
             self._out, self._streaming = b"", False
         elif kind == "reset":
-            self._ready_at = self.now + BOOT
-            self._restart()
+            self._reset()
         elif kind == "garbage":
             self._out += self._rng.bytes(int(self._rng.integers(1, 600)))
         elif kind == "clock jump":
@@ -106,8 +114,16 @@ class VirtualGlove:
             self._ready_at = self.now + BOOT
             self._restart()
         self._fault = ""
+        self._electric = ElectricFault("", self.now, self._rng)
+
+    def _reset(self) -> None:
+        self._ready_at = self.now + BOOT
+        self._restart()
 
     # ---- the firmware
+
+    def _send(self, frame: Frame) -> None:
+        self._put(encode(self._electric.frame(frame, self.now)))
 
     def _packet(self, sample: ImuSample) -> Samples:
         t_us = round((sample.t - self._born + self._jumped + 100.0) * 1e6)
@@ -127,7 +143,7 @@ class VirtualGlove:
             damaged[int(self._rng.integers(len(data)))] ^= 1 << int(self._rng.integers(8))
             data = bytes(damaged)
         if len(self._out) < BUFFER_BYTES:
-            self._out += data
+            self._out += self._electric.wire(data, self.now)
 
     # ---- the port's side
 
@@ -135,7 +151,14 @@ class VirtualGlove:
         """Opens the port."""
         if self._fault == "unplug":
             raise FileNotFoundError(2, "No such file")
+        if self._electric.kind in REFUSALS:
+            raise REFUSALS[self._electric.kind]
         return self
+
+    @property
+    def is_suspended(self) -> bool:
+        """Whether the system has suspended the adapter."""
+        return self._electric.kind == "usb suspend"
 
     @property
     def in_waiting(self) -> int:
@@ -154,6 +177,8 @@ class VirtualGlove:
         for frame in self._decoder.feed(data):
             if isinstance(frame, HelloRequest):
                 self._put(encode(self._hello()))
+            elif isinstance(frame, Haptic) and self._electric.kind == "motor reset":
+                self._reset()
             elif isinstance(frame, Start | Stop):
                 self._streaming = isinstance(frame, Start)
         return len(data)

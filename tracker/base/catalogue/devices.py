@@ -97,6 +97,39 @@ TEXTS = {
     ),
     "glove.no_imu_on": "The glove {glove} has no IMU on {segment:word}.",
     "glove.port_not_opened": "The glove's port cannot be opened: {why}",
+    "glove.port_busy": (
+        "Another program has the glove's port open. Close it; the glove is then used automatically."
+    ),
+    "glove.port_denied": "The glove's port cannot be opened: {why}",
+    "glove.twin_adapters": (
+        "Another USB adapter has the same serial number as the glove's at {port}. Gloves are then "
+        "recognised by their own number: give each a different one (glovetrack firmware write PORT "
+        "--glove-id N)."
+    ),
+    "glove.reset_by_motor": (
+        "The glove restarted when a motor started: the motor draws more current than the supply "
+        "delivers. Charge the battery, or give the motors a supply and a capacitor of their own."
+    ),
+    "glove.brown_out": (
+        "The glove restarts because its supply voltage drops. Charge the battery, use a shorter or "
+        "thicker USB cable, and avoid unpowered hubs."
+    ),
+    "glove.cable_damaged": (
+        "Bursts of damaged data arrive from the glove: its cable or a plug has a bad contact. Move "
+        "the cable less, check the plugs, or replace the cable."
+    ),
+    "glove.imu_loose": (
+        "IMU {imu} of the glove is lost again and again: its select line has a bad contact. Check "
+        "the wires and solder joints of this IMU."
+    ),
+    "glove.usb_suspended": (
+        "The system has suspended the glove's USB adapter to save power. Install the udev rule of "
+        "the package, or run: echo on | sudo tee /sys/bus/usb/devices/*/power/control"
+    ),
+    "glove.wrong_baud": (
+        "Data arrive from the glove's port that cannot be decoded at {baud} baud. Choose another "
+        "speed under Set-up, Glove, or write the firmware for this speed."
+    ),
     "glove.unplugged": "The glove was unplugged ({why}). It is used again as soon as it returns.",
     "glove.message": "Message from the glove: {text}",
     "glove.imu_count": (
