@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Checks spelling, retired words (packaging/prose/retired.txt: docs/glossary.md has the words in use)
-# and the titles of commits.
+# Checks spelling, retired words (packaging/prose/retired.txt: docs/glossary.md has the words in use),
+# sentences of errors in tests, and the titles of commits.
 #
 #   packaging/prose.sh VENV
 set -euo pipefail
@@ -14,9 +14,16 @@ mapfile -t files < <(git ls-files -- '*.py' '*.md' '*.toml' '*.sh' '*.c' '*.cpp'
 # Identifiers are split at underscores, so that a retired word is found in them as well. Names in
 # recordings and files keep the words that they had.
 names='"[a-z_.]*(told|anew)[a-z_.]*"|[`"]aside[`"]|aside_deg'
-mapfile -t product < <(printf '%s\n' "${files[@]}" | grep -vE '(^|/)tests/|^(CHANGELOG|resources/firmware|packaging/(prose|debian_smoke))')
+mapfile -t product < <(printf '%s\n' "${files[@]}" | grep -vE "^(CHANGELOG|resources/firmware|packaging/(prose|debian_smoke))")
 "$codespell" --dictionary "$prose/retired.txt" --regex '[A-Za-z][a-z]+' --ignore-regex "$names" \
     "${product[@]}"
+
+# Tests compare codes of notices (tests/notices.py) rather than English sentences.
+ours='Glovetrack|File|Device|Config|Stream|Usage|Request|Flash|Calibration|Alignment'
+if git grep -nE "raises\([A-Za-z_.]*($ours)Error\b.*match=\"[^\"]* [^\"]* " -- '*.py'; then
+    echo "compare the code of the notice: tests.notices.raises"
+    exit 1
+fi
 
 if git cat-file -e "$since" 2>/dev/null; then # absent in a shallow clone
     git log --no-merges --format='%h %s' "$since..HEAD" | awk '

@@ -14,9 +14,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from app.storage.settings import AppSettings
-from app.words import tr
 from tracker.base.errors import DeviceError
-from tracker.base.notices import Notice
+from tracker.base.notices import Notice, notice
 from tracker.sensors.camera_controls import ControlledInput, Locks, locks_from
 from tracker.sensors.camera_plugins import all_cameras, is_plugin, open_plugin
 from tracker.sensors.camera_stamps import HasStamps
@@ -176,22 +175,12 @@ def _find(wanted: str, cameras: list[CameraName]) -> CameraName:
         # a system that lists no names still opens cameras by number
         return next(named, CameraName(index, f"camera {index}", ""))
     if not cameras:
-        raise DeviceError(
-            tr(
-                "No camera was found. Plug in the stereo camera, then choose Search again. If this "
-                "system lists no cameras, enter the number of yours under Set-up, Camera, "
-                "Or number, file (0 is the first one)."
-            )
-        )
+        raise DeviceError(notice("camera.none_found"))
     if not wanted:
         return cameras[0]
     for camera in cameras:
         if camera.name == wanted:
             return camera
-    there = ", ".join(c.name for c in cameras)
     raise DeviceError(
-        tr(
-            "The camera {} is not connected. Connected cameras: {}. Plug it in, or choose another "
-            "one under Set-up, Camera."
-        ).format(wanted, there)
+        notice("camera.not_among", camera=wanted, connected=[c.name for c in cameras])
     )

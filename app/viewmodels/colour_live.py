@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from app.engines.engine import EngineSetup
 from app.engines.snapshot import Snapshot
 from app.viewmodels.colour_fits import Fit, FitWork
-from app.words import tr
 from tracker.base.errors import ConfigError, GlovetrackError
+from tracker.base.notices import notice
 from tracker.calibration.colours_fit import FoundHue
 from tracker.messages import ImuSample, StereoFrame
 from tracker.vision.colours import ColourProfile
@@ -48,13 +48,7 @@ class LiveImages:
         Raises ConfigError without a glove and calibrated cameras.
         """
         if not self._setup.whole:
-            raise ConfigError(
-                tr(
-                    "Fitting to live images needs the glove and a calibrated camera. Fit "
-                    "to one image "
-                    "instead."
-                )
-            )
+            raise ConfigError(notice("colours.live_needs"))
         self.wanted = True
 
     def watch(self, view: Snapshot) -> None:

@@ -15,6 +15,7 @@ from app.viewmodels.recording import duration_text
 from app.words import local, tr
 from tracker.base.errors import FileError
 from tracker.base.files import name_part
+from tracker.base.notices import notice
 from tracker.messages import ImuSample, Status
 
 SILENT = 1.0  # s without data after which a device or an IMU counts as not responding
@@ -195,19 +196,17 @@ def rename(path: Path, name: str) -> Path:
     stem = name_part(name.strip().removesuffix(path.suffix))
     target = path.with_name(f"{stem}{path.suffix}")
     if not stem:
-        raise FileError(tr("{} needs a name with a letter or a digit in it.").format(path.name))
+        raise FileError(notice("rename.no_name", file=path.name))
     if target == path:
         return path
     if target.exists():
-        raise FileError(
-            tr("{} already exists, so {} was not renamed.").format(target.name, path.name)
-        )
+        raise FileError(notice("rename.exists", other=target.name, file=path.name))
     try:
         path.rename(target)
         move_tags(path, target)
     except OSError as error:
         reason = error.strerror or str(error)
         raise FileError(
-            tr("{} cannot be named {}: {}.").format(path.name, target.name, reason)
+            notice("rename.failed", file=path.name, other=target.name, why=reason)
         ) from error
     return target

@@ -3,16 +3,6 @@
   <context>
     <name>glovetrack</name>
     <message>
-      <location filename="app/engines/camera_choice.py" />
-      <source>No camera was found. Plug in the stereo camera, then choose Search again. If this system lists no cameras, enter the number of yours under Set-up, Camera, Or number, file (0 is the first one).</source>
-      <translation>Keine Kamera gefunden. Schließen Sie die Stereokamera an und wählen Sie Erneut suchen. Wenn dieses System keine Kameras auflistet, geben Sie die Nummer unter Einrichtung, Kamera, Oder Nummer, Datei ein (0 ist die erste).</translation>
-    </message>
-    <message>
-      <location filename="app/engines/camera_choice.py" />
-      <source>The camera {} is not connected. Connected cameras: {}. Plug it in, or choose another one under Set-up, Camera.</source>
-      <translation>Die Kamera {} ist nicht angeschlossen. Angeschlossene Kameras: {}. Schließen Sie sie an, oder wählen Sie unter Einrichtung, Kamera eine andere.</translation>
-    </message>
-    <message>
       <location filename="app/engines/demo.py" />
       <source>The hand is tracked by its IMUs alone, so its position is unknown.</source>
       <translation>Die Hand wird nur mit ihren IMUs getrackt, daher ist ihre Position unbekannt.</translation>
@@ -3280,11 +3270,6 @@ change {}: {}</source>
       <translation>Angepasst: {}.</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/colour_live.py" />
-      <source>Fitting to live images needs the glove and a calibrated camera. Fit to one image instead.</source>
-      <translation>Das Anpassen an Livebilder braucht den Handschuh und eine kalibrierte Kamera. Stattdessen an ein Bild anpassen.</translation>
-    </message>
-    <message>
       <location filename="app/viewmodels/colour_picks.py" />
       <source>Clicked: {}. To learn the colours, also click: {}.</source>
       <translation>Angeklickt: {}. Um die Farben zu lernen, auch anklicken: {}.</translation>
@@ -4656,23 +4641,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/recording_report.py" />
-      <source>{} needs a name with a letter or a digit in it.</source>
-      <translation>{} braucht einen Namen mit einem Buchstaben oder einer Ziffer.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording_report.py" />
-      <source>{} already exists, so {} was not renamed.</source>
-      <translation>{} existiert bereits, daher wurde {} nicht umbenannt.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording_report.py" />
       <source>tracked {:.0f} % of the time</source>
       <translation>{:.0f} % der Zeit verfolgt</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording_report.py" />
-      <source>{} cannot be named {}: {}.</source>
-      <translation>{} kann nicht in {} umbenannt werden: {}.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
@@ -7043,11 +7013,6 @@ change {}: {}</source>
       <location filename="app/wizards/stereo/image_choices.py" />
       <source>camera in use</source>
       <translation>Kamera in Gebrauch</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/stereo/image_choices.py" />
-      <source>The camera was closed. Start glove and camera again.</source>
-      <translation>Die Kamera wurde geschlossen. Handschuh und Kamera erneut starten.</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/image_choices.py" />
@@ -10181,6 +10146,21 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>No camera was found. Plug in the stereo camera, then choose Search again. If this system lists no cameras, enter the number of yours under Set-up, Camera, Or number, file (0 is the first one).</source>
+      <translation>Keine Kamera gefunden. Schließen Sie die Stereokamera an und wählen Sie Erneut suchen. Wenn dieses System keine Kameras auflistet, geben Sie die Nummer unter Einrichtung, Kamera, Oder Nummer, Datei ein (0 ist die erste).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The camera {camera} is not connected. Connected cameras: {connected:list}. Plug it in, or choose another one under Set-up, Camera.</source>
+      <translation>Die Kamera {camera} ist nicht angeschlossen. Angeschlossene Kameras: {connected:list}. Schließen Sie sie an, oder wählen Sie unter Einrichtung, Kamera eine andere.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The camera was closed. Start glove and camera again.</source>
+      <translation>Die Kamera wurde geschlossen. Starten Sie Handschuh und Kamera erneut.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>The check itself failed: {why}.</source>
       <translation>Die Prüfung selbst ist fehlgeschlagen: {why}.</translation>
     </message>
@@ -11141,6 +11121,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>Fitting to live images needs the glove and a calibrated camera. Fit to one image instead.</source>
+      <translation>Das Anpassen an Livebilder braucht den Handschuh und eine kalibrierte Kamera. Passen Sie stattdessen an ein Bild an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>The result places the lenses {found_mm:.1f} mm apart, but the known distance is {known_mm:.1f} mm. Measure a square of the board again.</source>
       <translation>Das Ergebnis ergibt einen Abstand der Objektive von {found_mm:.1f} mm, bekannt sind aber {known_mm:.1f} mm. Messen Sie ein Feld der Tafel noch einmal.</translation>
     </message>
@@ -11763,6 +11748,21 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>a message has a log time in the far future</source>
       <translation>eine Nachricht hat eine Log-Zeit in ferner Zukunft</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} needs a name with a letter or a digit in it.</source>
+      <translation>{file} braucht einen Namen mit einem Buchstaben oder einer Ziffer.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{other} already exists, so {file} was not renamed.</source>
+      <translation>{other} existiert bereits, daher wurde {file} nicht umbenannt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} cannot be named {other}: {why}.</source>
+      <translation>{file} kann nicht in {other} umbenannt werden: {why}.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />

@@ -198,8 +198,8 @@ def test_results_have_the_rows_of_the_blobs_as_fed() -> None:
 def test_hands_of_a_meeting_never_intersect() -> None:
     """A palm is 9 cm wide and 3 cm thick: they are side by side, or one is over the other."""
     offset = Meeting(1, 60.0).offset(np.linspace(0.0, 60.0, 6000))
-    aside, over = np.abs(offset[:, 0]) >= 0.085, np.abs(offset[:, 2]) >= 0.03
-    assert np.all(aside | over)
+    sideways, over = np.abs(offset[:, 0]) >= 0.085, np.abs(offset[:, 2]) >= 0.03
+    assert np.all(sideways | over)
     assert (offset[:, 0] < -0.1).any() and (np.abs(offset[:, 0]) < 0.06).any()
 
 

@@ -42,8 +42,8 @@ class Second(ScriptedEngine):
             return None
         estimate = self.engine.latest_estimate()
         tracking = Tracking.LOST if self.is_lost else estimate.tracking
-        aside = estimate.segment_p + [0.0, 0.1, 0.0]
-        return dataclasses.replace(estimate, segment_p=aside, tracking=tracking)
+        sideways = estimate.segment_p + [0.0, 0.1, 0.0]
+        return dataclasses.replace(estimate, segment_p=sideways, tracking=tracking)
 
 
 @pytest.fixture

@@ -27,10 +27,10 @@ def facing(orbit: Orbit) -> np.ndarray:
     return np.stack([np.cross(orbit.up, orbit.direction), orbit.up, orbit.direction], axis=1)
 
 
-def square(half: float, aside: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> np.ndarray:
+def square(half: float, sideways: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> np.ndarray:
     """(4, 3) corners before the orbit's eye, counter-clockwise."""
     corners = half * np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], float)
-    return (corners + aside) @ facing(Orbit()).T
+    return (corners + sideways) @ facing(Orbit()).T
 
 
 def add_square(scene, points, look=FLAT, part=0, along=None, outline=False):

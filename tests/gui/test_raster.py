@@ -85,8 +85,8 @@ def test_bodies_are_where_a_pinhole_camera_sees_them() -> None:
     orbit.turn(0.4, -0.3)
     orbit.target = np.array([0.1, -0.2, 0.05])
     R_CG = np.stack([np.cross(orbit.up, orbit.direction), -orbit.up, -orbit.direction])
-    for aside in ([0.05, 0.02, 0.03], [-0.03, 0.06, -0.05]):
-        p_G = orbit.target + aside
+    for sideways in ([0.05, 0.02, 0.03], [-0.03, 0.06, -0.05]):
+        p_G = orbit.target + sideways
         p_C = R_CG @ (p_G - orbit.eye)
         scene = RasterScene()
         scene.add(ball(0.003), FLAT).move(np.eye(3), p_G)

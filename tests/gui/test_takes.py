@@ -39,6 +39,7 @@ from tests.gui.gui_fakes import (
     with_camera,
     with_live,
 )
+from tests.notices import raises
 from tracker.base.clock import ClockAnchor, seconds
 from tracker.base.errors import FileError
 from tracker.engine.hands import Hands, Sided
@@ -394,9 +395,9 @@ def test_a_name_that_is_taken_leaves_both_files(tmp_path):
     first, second = tmp_path / "a.mcap", tmp_path / "b.mcap"
     first.write_text("1")
     second.write_text("2")
-    with pytest.raises(FileError, match="already exists"):
+    with raises(FileError, "rename.exists"):
         rename(first, "b")
-    with pytest.raises(FileError, match="a letter or a digit"):
+    with raises(FileError, "rename.no_name"):
         rename(first, " / ")
     assert (first.read_text(), second.read_text()) == ("1", "2")
     assert rename(first, "c.mcap").read_text() == "1"

@@ -39,7 +39,7 @@ SOURCES = {
             def run(self) -> float:
                 return numbers.outer(plain(1.0))
     """,
-    "app/nobody.py": "from tracker.small import inner\n",
+    "app/unused.py": "from tracker.small import inner\n",
 }
 
 
@@ -57,7 +57,7 @@ def test_kernels_are_found_by_their_decorator(tmp_path):
 def test_a_kernel_is_exported_if_it_is_used_outside_of_kernels(tmp_path):
     write(tmp_path, {"tracker/small.py": SOURCES["tracker/small.py"]})
     assert exported(tmp_path) == ["tracker.small._door"]
-    write(tmp_path, {"app/nobody.py": SOURCES["app/nobody.py"]})
+    write(tmp_path, {"app/unused.py": SOURCES["app/unused.py"]})
     assert exported(tmp_path) == ["tracker.small._door"]  # importing is not calling
     write(tmp_path, SOURCES)
     assert exported(tmp_path) == kernels(tmp_path)

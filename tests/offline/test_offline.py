@@ -85,7 +85,7 @@ def test_images_are_searched_if_there_are_no_blobs(tmp_path: Path) -> None:
     ("arguments", "code", "values"),
     [
         (["--engine", "magic"], "part.unknown", {"name": "magic"}),
-        (["--hand", "nobody"], "library.unknown", {"name": "nobody"}),
+        (["--hand", "absent"], "library.unknown", {"name": "absent"}),
         (["--colours", "fabric-default"], "track.no_images", {}),
     ],
 )

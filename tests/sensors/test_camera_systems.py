@@ -97,7 +97,7 @@ def test_without_a_list_plugins_and_numbers_still_work(monkeypatch, caplog) -> N
     assert "cannot be listed by name" in caplog.text
     chosen = choose(AppSettings(camera="1"), 64, 48, 30.0)
     assert chosen.title == "camera 1"
-    with pytest.raises(DeviceError, match="enter the number of yours"):
+    with raises(DeviceError, "camera.none_found"):
         choose(AppSettings(), 64, 48, 30.0)
 
 

@@ -11,7 +11,7 @@ import lz4.frame
 import numpy as np
 import pytest
 
-from tests.notices import raises, shows
+from tests.notices import raises
 from tracker.base.errors import FileError, GlovetrackError
 from tracker.cli import main
 from tracker.messages import Event
@@ -168,7 +168,7 @@ def test_messages_of_the_far_future_are_damage(tmp_path: Path, session_info) -> 
     channel = out.channel("/events", "std_msgs/msg/String")
     out.write(channel, 2**64 - 2, 0, b"\0\1\0\0\2\0\0\0x\0", 0)
     out.finish()
-    assert any(shows(f.what, "session.far_future") for f in verify(path))
+    assert not is_ok(verify(path))
     with SessionReader(path) as reader:
         assert list(reader.messages()) == []
 

@@ -118,8 +118,8 @@ def test_light_decreases_with_the_squared_distance_and_the_cosine() -> None:
     place, up = REFERENCE + np.array([0.0, 0.0, 1.0]), np.array([0.0, 0.0, 1.0])
     assert strength(place, REFERENCE, up) == pytest.approx(1.0)
     assert strength(place, REFERENCE - [0, 0, 1.0], up) == pytest.approx(0.25)
-    aside = strength(place, REFERENCE + [1.0, 0, 0], up)
-    assert aside == pytest.approx(0.5 * np.cos(np.pi / 4))
+    sideways = strength(place, REFERENCE + [1.0, 0, 0], up)
+    assert sideways == pytest.approx(0.5 * np.cos(np.pi / 4))
 
 
 def test_noise_has_the_variance_of_light_and_darkness() -> None:

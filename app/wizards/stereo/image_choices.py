@@ -12,6 +12,7 @@ from app.storage.settings import AppSettings
 from app.wizards.stereo.board import ImageChoice
 from app.words import tr
 from tracker.base.errors import DeviceError
+from tracker.base.notices import notice
 from tracker.sensors.image_input import (
     CameraName,
     ImageInput,
@@ -40,7 +41,7 @@ class SessionImages:
     def read(self) -> Pair | None:
         setup = self.host.setup
         if setup is None:
-            raise DeviceError(tr("The camera was closed. Start glove and camera again."))
+            raise DeviceError(notice("camera.closed"))
         unfit = setup.camera.device.unfit if setup.camera.device is not None else None
         if unfit is not None:  # the calibration of another camera does not fit
             return self._once(unfit.pair)

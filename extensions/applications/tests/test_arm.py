@@ -78,19 +78,19 @@ def test_open_hands_leave_it_where_it_is_and_scale_counts() -> None:
 
 
 def test_an_open_palm_stops_it_until_a_thumb_says_go_on() -> None:
-    aside = (UP[0], UP[1] + 0.08, UP[2])
+    sideways = (UP[0], UP[1] + 0.08, UP[2])
     keys = [
         Key(0.0, "grasp", UP),
         Key(0.3, "grasp", UP),
         Key(0.6, "open_palm", UP),
         Key(1.0, "open_palm", UP),
         Key(1.3, "grasp", UP),
-        Key(1.8, "grasp", aside),
-        Key(2.1, "thumb_up", aside),
-        Key(2.7, "thumb_up", aside),
-        Key(3.0, "relaxed", aside),
-        Key(3.3, "thumb_up", aside),
-        Key(3.9, "thumb_up", aside),
+        Key(1.8, "grasp", sideways),
+        Key(2.1, "thumb_up", sideways),
+        Key(2.7, "thumb_up", sideways),
+        Key(3.0, "relaxed", sideways),
+        Key(3.3, "thumb_up", sideways),
+        Key(3.9, "thumb_up", sideways),
     ]
     found = outcomes("arm", keys, robot="127.0.0.1:9", **SETTINGS)
     reported = [w for w in words(found) if w in ("stop", "go_on", "confirm")]

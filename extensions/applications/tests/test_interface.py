@@ -176,7 +176,7 @@ def test_a_failing_application_rests_and_says_why(monkeypatch: pytest.MonkeyPatc
     assert stage.problem == "ZeroDivisionError: division by zero"
 
 
-def test_a_stage_tells_that_one_ended_and_begins_anew_for_a_recording(installed: None) -> None:
+def test_a_stage_reports_the_end_and_restarts_for_a_recording(installed: None) -> None:
     reported: list[str] = []
     stage = ApplicationStage(HAND, GLOVE, lambda e: reported.append(str(e.data["what"])))
     frames = estimates(LINE)

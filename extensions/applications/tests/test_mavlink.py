@@ -54,7 +54,7 @@ def test_pymavlink_reads_positions_and_heartbeats() -> None:
     assert found[3].type == mavlink.MAV_TYPE_QUADROTOR
 
 
-def test_what_pymavlink_says_is_heard() -> None:
+def test_messages_of_pymavlink_are_read() -> None:
     message = mavlink.MAVLink_local_position_ned_message(1, 4.0, 5.0, 6.0, 0.0, 0.0, 0.0)
     (one,) = received([message.pack(sender(9, 0))])
     assert (one.message, one.system) == (POSITION, 9)

@@ -25,8 +25,8 @@ def aiming(label: str) -> tuple[float, float, float]:
     return x - 0.119, y - 0.0235, z + 0.06
 
 
-def at_object(gesture: str, aside: float = 0.0, up: float = 0.0) -> tuple[float, float, float]:
-    x, y, z = (MIDDLE + [0.0, -aside, up] - TO_TIP[gesture]).tolist()
+def at_object(gesture: str, sideways: float = 0.0, up: float = 0.0) -> tuple[float, float, float]:
+    x, y, z = (MIDDLE + [0.0, -sideways, up] - TO_TIP[gesture]).tolist()
     return x, y, z
 
 
@@ -69,9 +69,9 @@ def test_a_pinch_slide_fades_the_source_over_the_object() -> None:
         Key(0.5, "relaxed", at_object("pinch_index")),
         Key(0.9, "pinch_index", at_object("pinch_index")),
         Key(1.1, "pinch_index", at_object("pinch_index")),
-        Key(1.7, "pinch_index", at_object("pinch_index", aside=0.05)),
-        Key(1.9, "pinch_index", at_object("pinch_index", aside=0.05)),
-        Key(2.2, "relaxed", at_object("pinch_index", aside=0.05)),
+        Key(1.7, "pinch_index", at_object("pinch_index", sideways=0.05)),
+        Key(1.9, "pinch_index", at_object("pinch_index", sideways=0.05)),
+        Key(2.2, "relaxed", at_object("pinch_index", sideways=0.05)),
     )
     found = outcomes("place", keys, **SETTINGS)
     faded = datas(found, "faded")[-1]

@@ -171,7 +171,7 @@ def test_a_hand_that_stays_open_fails_in_the_steps_that_it_did_not_show(
     dialog, clock, engine, qtbot, monkeypatch
 ):
     engine.lazy = True
-    # images that nobody looks at; those of who follows the cues are painted
+    # empty images, because no test reads them; those of a wearer who follows the cues are painted
     monkeypatch.setattr(dialog.lead.stage.view, "render_scene", lambda: None)
     dialog.start()
     through(dialog, clock, engine)

@@ -49,15 +49,15 @@ def test_an_unknown_engine_is_an_error(capsys: pytest.CaptureFixture[str]) -> No
     assert shows(capsys.readouterr().err, "part.unknown", name="none")
 
 
-class NobodyLeft:
+class NoWorkers:
     """Workers whose board and flag have been ended by the same signal that ends us."""
 
     @property
-    def board(self) -> "NobodyLeft":
+    def board(self) -> "NoWorkers":
         return self
 
     @property
-    def stop(self) -> "NobodyLeft":
+    def stop(self) -> "NoWorkers":
         return self
 
     def submit(self, *_: object) -> Future[None]:
@@ -77,4 +77,4 @@ class NobodyLeft:
 
 def test_work_that_is_stopped_with_its_workers_is_no_disk_that_cannot_be_written() -> None:
     with pytest.raises(KeyboardInterrupt):
-        run_all([WorkItem(print, ())], NobodyLeft(), lambda share: None)
+        run_all([WorkItem(print, ())], NoWorkers(), lambda share: None)

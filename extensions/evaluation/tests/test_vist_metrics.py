@@ -91,7 +91,7 @@ def test_wrong_matches_and_cost_are_shares_of_all():
     assert s.core_s_per_s == pytest.approx(0.05)
 
 
-def test_nobody_is_refused():
+def test_no_participants_are_rejected():
     with pytest.raises(ValueError, match="trials"):
         summarise([])
 

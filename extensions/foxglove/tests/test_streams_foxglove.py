@@ -270,7 +270,7 @@ def test_unsubscribing_ends_a_topic_and_leaves_the_other(
     client.subscribe(f"{TOPIC}/scene", number=2)
     client.say("unsubscribe", subscriptionIds=[1])
     client.subscribe(f"{TOPIC}/scene", number=3)
-    client.text("status")  # a channel has one subscription; and all before it were heard
+    client.text("status")  # a channel has one subscription; and all earlier requests were read
     server.send(make_estimate())
     assert "entities" in client.message(number=2)[1]
     client.say("unsubscribe", subscriptionIds=[2])
@@ -305,7 +305,7 @@ def test_nonsense_gets_an_answer_and_the_client_stays(client, server, request_te
     assert server.clients == 1
 
 
-def test_a_slow_client_loses_the_oldest_and_slows_nobody(server, make_estimate, wait_for) -> None:
+def test_a_slow_client_loses_the_oldest_and_delays_no_one(server, make_estimate, wait_for) -> None:
     """It wakes up after 1500 estimates, some 6 MB: far more than the buffers between hold."""
     with connected(server) as slow, connected(server) as quick:
         slow.subscribe(TOPIC)
@@ -325,7 +325,7 @@ def test_a_slow_client_loses_the_oldest_and_slows_nobody(server, make_estimate, 
     assert read[-BACKLOG:] == [float(k) for k in range(count - BACKLOG, count)]
 
 
-def test_nobody_listening_costs_nothing_and_leaving_is_seen(
+def test_without_clients_nothing_is_encoded_and_leaving_is_noticed(
     server, make_estimate, wait_for
 ) -> None:
     server.send(make_estimate())

@@ -313,8 +313,8 @@ def test_a_folder_in_processes_and_on_a_cluster_gives_the_same_files(
     for k, name in enumerate(("a.mcap", "b.mcap", "day2/a.mcap")):
         record(folder / name, moving(20 + 5 * k))
     monkeypatch.setattr(lerobot, "LARGEST_DATA_MB", 0)  # a file for each episode
-    heard: list[float] = []
-    export_dataset([folder], "lerobot", tmp_path / "local", ExportOptions(), heard.append,
+    shares: list[float] = []
+    export_dataset([folder], "lerobot", tmp_path / "local", ExportOptions(), shares.append,
                    WorkersAsked(2))  # fmt: skip
     with distributed.LocalCluster(1, processes=False, dashboard_address=None) as cluster:
         asked = WorkersAsked(dask=cluster.scheduler_address)
@@ -326,7 +326,7 @@ def test_a_folder_in_processes_and_on_a_cluster_gives_the_same_files(
     for path in files:
         assert (tmp_path / "local" / path).read_bytes() == (tmp_path / "dask" / path).read_bytes()
     assert rows_of(tmp_path / "local")["index"].to_pylist() == list(range(75))
-    assert heard[-1] == pytest.approx(1.0)
+    assert shares[-1] == pytest.approx(1.0)
 
 
 def test_frames_without_an_image_of_their_own_take_the_nearest(

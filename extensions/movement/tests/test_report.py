@@ -227,7 +227,7 @@ def test_the_page_is_whole_without_a_network_and_its_numbers_are_the_tables(
         assert root.tag == "{http://www.w3.org/2000/svg}svg" and len(list(root.iter())) > 50
 
 
-def test_an_anonymous_report_names_nobody(sessions: tuple[Path, Path], tmp_path: Path) -> None:
+def test_an_anonymous_report_contains_no_name(sessions: tuple[Path, Path], tmp_path: Path) -> None:
     out = tmp_path / "r.html"
     args = ["report", str(sessions[1]), "-o", str(out), "--anonymous"]
     assert main(args) == 0

@@ -91,7 +91,7 @@ def test_another_library_is_understood_and_answered_and_the_port_is_freed() -> N
             reply = OscMessage(client.recv(9999))
         finally:
             door.close()
-        with pytest.raises(ConnectionRefusedError):  # nobody listens at the port now
+        with pytest.raises(ConnectionRefusedError):  # no program listens at the port now
             client.connect((HERE, door.port))
             client.send(b"x")
             client.recv(10)

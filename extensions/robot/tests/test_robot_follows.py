@@ -28,7 +28,7 @@ def robot(settings: RobotSettings = SETTINGS) -> Teleop:
 
 
 def closing(n: int, lost_from: int | None = None) -> list[WearerHand]:
-    """A hand that makes a fist within a second and moves aside; lost from some instant on."""
+    """A hand that makes a fist within a second and moves sideways; lost from some instant on."""
     hand = wearer_model()
     fist = posture(hand, FIST)
     shown = []

@@ -48,7 +48,7 @@ def info() -> SessionInfo:
 
 
 def estimates(n: int) -> list[Estimate]:
-    """A hand that closes while it moves aside, lost for some time; stamps between two ns."""
+    """A hand that closes while it moves sideways, lost for some time; stamps between two ns."""
     about = info()
     hand, glove = about.hand, about.glove
     names = glove.keypoint_names(hand)

@@ -261,7 +261,7 @@ def test_a_stand_in_for_motive_is_asked_and_read(
     assert protocol_version(struct.pack("<HH", 1, len(info)) + info) == (3, 1)
 
 
-def test_multicast_frames_are_heard(hands: Hands, wait_for) -> None:
+def test_multicast_frames_are_received(hands: Hands, wait_for) -> None:
     group = "239.255.42.98"
     with opened(hands, "natnet", group=group, right="7", up="z") as door:
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as motive:

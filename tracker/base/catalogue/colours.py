@@ -69,4 +69,7 @@ TEXTS = {
         "The colours could not be fitted: no hand was found with certainty in any light. "
         "Hold the hand flat and still in view of {cameras:word}, in more or whiter light."
     ),
+    "colours.live_needs": (
+        "Fitting to live images needs the glove and a calibrated camera. Fit to one image instead."
+    ),
 }

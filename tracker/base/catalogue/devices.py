@@ -281,4 +281,14 @@ TEXTS = {
     "simulator.glove_not_started": "The simulated glove did not start.",
     "glove.not_at_port": "No glove was found at {port}. {reasons}",
     "glove.not_at_usb": "No glove was found on any USB port. {reasons}",
+    "camera.none_found": (
+        "No camera was found. Plug in the stereo camera, then choose Search again. If this "
+        "system lists no cameras, enter the number of yours under Set-up, Camera, Or number, "
+        "file (0 is the first one)."
+    ),
+    "camera.not_among": (
+        "The camera {camera} is not connected. Connected cameras: {connected:list}. Plug it "
+        "in, or choose another one under Set-up, Camera."
+    ),
+    "camera.closed": "The camera was closed. Start glove and camera again.",
 }

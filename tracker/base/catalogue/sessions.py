@@ -104,4 +104,7 @@ TEXTS = {
     ),
     "session.no_chunk": "there is no chunk",
     "session.far_future": "a message has a log time in the far future",
+    "rename.no_name": "{file} needs a name with a letter or a digit in it.",
+    "rename.exists": "{other} already exists, so {file} was not renamed.",
+    "rename.failed": "{file} cannot be named {other}: {why}.",
 }
