@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -11,8 +12,9 @@ import pytest
 from tracker.messages import Event, ImuSample
 from tracker.sensors.glove_link import GloveLink
 from tracker.sensors.glove_port import GlovePort
-from tracker.sensors.serial_line import UsbPort, is_suspended
+from tracker.sensors.serial_line import UsbPort, is_suspended, serial_port
 from tracker.simulation.electric import ELECTRIC_FAULTS
+from tracker.simulation.glove_device import SimulatedGlove
 from tracker.simulation.virtual_devices import VirtualGlove
 
 N = 4
@@ -71,6 +73,26 @@ def test_the_fault_is_named(kind: str) -> None:
     bench.run(7.0)
     named = [code for code in bench.codes if code in EXPECTED.values()]
     assert named == [EXPECTED[kind]] and healthy == []
+
+
+def test_a_motor_that_restarts_a_simulated_glove_is_named() -> None:
+    """The same faults on the real-time device of ``glovetrack rig``."""
+    device = SimulatedGlove(packets(), N, time.monotonic())
+    try:
+        device.fail("motor reset")
+        link = GloveLink(serial_port(device.path), N)
+        codes: list[str] = []
+        end = time.monotonic() + 20.0
+        while "glove.reset_by_motor" not in codes and time.monotonic() < end:
+            for item in link.poll(0.01):
+                if isinstance(item, Event):
+                    codes.append(item.notice.code)
+            if link.figures.packets > 120 and not codes:  # a HELLO sooner may be a late answer
+                link.vibrate(0, 200, 100)
+        link.close()
+    finally:
+        device.stop()
+    assert codes[:2] == ["glove.restarted", "glove.reset_by_motor"]
 
 
 def test_a_single_restart_or_damaged_frame_has_no_electrical_cause() -> None:

@@ -122,6 +122,16 @@ def test_a_glove_is_unplugged_and_plugged_by_commands(both: SimulatedRig) -> Non
         assert both.heed(nonsense) == "Say plug or unplug, and left or right; or board, or hand."
 
 
+def test_electrical_faults_are_started_by_commands(both: SimulatedRig) -> None:
+    assert both.heed("fault left port busy") == "The left glove has the fault: port busy."
+    (left,) = find_gloves([str(both.files.gloves["left"])])
+    assert left.trouble is not None and left.trouble.code == "port.not_opened"
+    assert both.heed("fault left\n") == "The left glove has the fault: none."
+    (left,) = find_gloves([str(both.files.gloves["left"])])
+    assert left.hello is not None
+    assert both.heed("fault left on fire").startswith("Say fault, left or right, and one of: brown")
+
+
 def test_a_board_is_shown_and_removed_by_commands(both: SimulatedRig) -> None:
     assert both.heed("board\n") == "The board is before the camera."
     assert both.heed("hand") == "The hand is before the camera."

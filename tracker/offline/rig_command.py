@@ -56,7 +56,9 @@ def _add_rig(parser: argparse.ArgumentParser) -> None:
     add_force(parser)
     parser.epilog = (
         "Commands on standard input: 'unplug left' and 'plug left' (or right) disconnect and "
-        "reconnect a glove; 'board' shows a calibration board to the camera, 'hand' the hand."
+        "reconnect a glove; 'fault right KIND' starts an electrical fault (brown-out, flexed "
+        "cable, loose select, motor reset, usb suspend, wrong baud, port busy, port denied) and "
+        "'fault right' ends it; 'board' shows a calibration board to the camera, 'hand' the hand."
     )
 
 

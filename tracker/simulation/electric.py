@@ -47,7 +47,7 @@ class ElectricFault:
             return frame
         if isinstance(frame, Samples):
             raw = frame.raw.copy()
-            raw[LOOSE_IMU] = NO_READING
+            raw[min(LOOSE_IMU, len(raw) - 1)] = NO_READING
             return Samples(frame.seq, frame.t_us, raw)
         if isinstance(frame, GloveStatus):
             return replace(frame, imu_ok=frame.imu_ok & ~(1 << LOOSE_IMU))

@@ -27,7 +27,9 @@ from tracker.sensors.protocol import (
     BITS_PER_BYTE,
     MAX_IMUS,
     ErrorText,
+    Frame,
     GloveStatus,
+    Haptic,
     Hello,
     HelloRequest,
     ImuChip,
@@ -37,6 +39,7 @@ from tracker.sensors.protocol import (
     Temperatures,
     encode,
 )
+from tracker.simulation.electric import ElectricFault
 
 GYRO_RANGE_DPS, ACCEL_RANGE_G = 2000, 16
 TICK = 0.002  # s between two polls of the line, and of the clock while nothing is due
@@ -93,6 +96,7 @@ class SimulatedGlove:
         self.params, self.faults = params or GloveDeviceParams(), Faults()
         self._source, self._imu_count, self._t_0 = source, imu_count, t_0
         self._rng = np.random.default_rng(self.params.seed)
+        self._electric = ElectricFault("", 0.0, self._rng)
         self._streaming, self._seq = False, 0
         self._stopping = threading.Event()
         self._lock = threading.Lock()
@@ -138,8 +142,29 @@ class SimulatedGlove:
     def reset(self) -> None:
         """Restart the chip: counters start from zero, HELLO is sent."""
         with self._lock:
-            self._streaming, self._seq = False, 0
-            self._greet()
+            self._restart()
+
+    def _restart(self) -> None:
+        self._streaming, self._seq = False, 0
+        self._greet()
+
+    def fail(self, kind: str) -> None:
+        """Start one of `ELECTRIC_FAULTS`; an empty ``kind`` ends it.
+
+        A busy or forbidden port affects programs that open it from now on; the superuser may open
+        a forbidden one. Raises ValueError for an unknown kind.
+        """
+        import fcntl
+
+        with self._lock:
+            self._electric = ElectricFault(kind, time.monotonic(), self._rng)
+            if self._slave < 0:
+                return
+            fcntl.flock(self._slave, fcntl.LOCK_UN)
+            if kind == "port busy":
+                with contextlib.suppress(BlockingIOError):  # the host has it open itself
+                    fcntl.flock(self._slave, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            Path(self.path).chmod(0 if kind == "port denied" else 0o620)
 
     def stop(self) -> None:
         """End the thread and close the line. Idempotent."""
@@ -165,6 +190,8 @@ class SimulatedGlove:
                     continue
                 self._listen()
                 self._write()
+                if self._electric.is_reset_due(now):
+                    self._restart()
                 if not self._streaming:
                     sample = self._skip(sample, now)
                     if now - last_hello >= 1.0:
@@ -176,7 +203,8 @@ class SimulatedGlove:
                     sample = next(self._source, None)
                 if now - last_status >= 1.0:
                     last_status = now
-                    pending.append(encode(GloveStatus(3700, 2900, (1 << self._imu_count) - 1, 0)))
+                    status = GloveStatus(3700, 2900, (1 << self._imu_count) - 1, 0)
+                    pending.append(self._wired(status))
                     if self.params.chips:
                         pending.append(encode(self._temperatures(now)))
                 if not self.faults.stalled and now - last_flush >= self.params.bunch:
@@ -205,12 +233,18 @@ class SimulatedGlove:
         if self.faults.silent or self._rng.random() < self.faults.drop:
             return []
         t_us = self.params.start_us + round(sample.t * (1 + self.params.skew) * 1e6)
-        packet = encode(Samples(seq, t_us % 2**32, quantised(sample, self.params.accel_range_g)))
+        raw = quantised(sample, self.params.accel_range_g)
+        packet = self._wired(Samples(seq, t_us % 2**32, raw))
         if self._rng.random() < self.faults.corrupt:
             damaged = bytearray(packet)
             damaged[int(self._rng.integers(len(packet)))] ^= 1 << int(self._rng.integers(8))
             packet = bytes(damaged)
         return [packet]
+
+    def _wired(self, frame: Frame) -> bytes:
+        """The bytes of a frame that arrive."""
+        now = time.monotonic()
+        return self._electric.wire(encode(self._electric.frame(frame, now)), now)
 
     def _greet(self) -> None:
         p = self.params
@@ -224,7 +258,7 @@ class SimulatedGlove:
             chips=(ImuChip(MPU_9250, 0),) * self._imu_count if p.chips else (),
         )
         if p.says_hello:
-            self._write(encode(hello))
+            self._write(self._wired(hello))
 
     def _listen(self) -> None:
         try:
@@ -240,6 +274,8 @@ class SimulatedGlove:
                     self._streaming = True
                 case Stop():
                     self._streaming = False
+                case Haptic() if self._electric.kind == "motor reset":
+                    self._restart()
                 case _:
                     continue
 

@@ -28,6 +28,7 @@ from tracker.simulation.board_images import BoardRenderer, board_pose
 from tracker.simulation.camera_device import SimulatedCamera
 from tracker.simulation.demo import DemoSpec, build_scene, hands_of
 from tracker.simulation.drawn_ahead import DrawnAhead
+from tracker.simulation.electric import ELECTRIC_FAULTS
 from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove, link_to
 from tracker.simulation.glove_process import GLOVE_IDS
 from tracker.simulation.scenario import Simulation
@@ -259,9 +260,11 @@ class SimulatedRig:
         return "The board is before the camera." if held else "The hand is before the camera."
 
     def heed(self, words: str) -> str:
-        """Execute a command such as ``unplug left``, ``plug left``, ``board`` or ``hand``; returns
-        a report, or the list of commands."""
+        """Execute a command such as ``unplug left``, ``plug left``, ``fault left flexed cable``,
+        ``board`` or ``hand``; returns a report, or the list of commands."""
         verb, _, side = words.strip().partition(" ")
+        if verb == "fault":
+            return self._fail(side)
         if verb in ("board", "hand") and not side:
             return self.hold_board(verb == "board")
         if side not in self._gloves or verb not in ("plug", "unplug"):
@@ -276,6 +279,15 @@ class SimulatedRig:
             link.unlink()
             glove.unplug()
         return f"The {side} glove is {verb}ged."
+
+    def _fail(self, words: str) -> str:
+        """Start an electrical fault of a glove, such as ``left brown-out``; ``left`` ends it."""
+        side, _, kind = words.partition(" ")
+        if side not in self._gloves or (kind and kind not in ELECTRIC_FAULTS):
+            faults = ", ".join(ELECTRIC_FAULTS)
+            return f"Say fault, {' or '.join(self._gloves)}, and one of: {faults}."
+        self._gloves[side].fail(kind)
+        return f"The {side} glove has the fault: {kind or 'none'}."
 
     def _link(self, side: str) -> Path:
         return link_to(self._folder, self._gloves[side], self._names[side])
