@@ -37,7 +37,7 @@ class HandGlove:
         return self.glove.side
 
     def link(self, rate_hz: int = 100) -> GloveLink:
-        """The link to it; a glove that is not connected is searched until it is.
+        """The link to it; it searches for a glove that is not connected until one is.
 
         ``rate_hz`` is requested if the baud rate is sufficient.
         """

@@ -91,7 +91,7 @@ def usable_cores() -> int:
 
 @contextmanager
 def local_workers(count: int) -> Iterator[Workers]:
-    """``count`` processes of this machine. On an error what has not begun is given up."""
+    """``count`` processes of this machine. After an error, no further work is started."""
     context = multiprocessing.get_context("spawn")  # a fork would copy locks that threads hold
     with context.Manager() as manager:
         pool = ProcessPoolExecutor(count, mp_context=context)

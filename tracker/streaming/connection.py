@@ -79,7 +79,7 @@ K = TypeVar("K", bound=ConnectionKind[Any])
 
 
 def kinds_of(registry: Registry[K]) -> dict[str, K]:
-    """All that can be loaded, by name, in the order of lists."""
+    """All that can be loaded, by name, in the order in which lists show them."""
     return dict(sorted(registry.all().items(), key=lambda item: item[1].order))
 
 

@@ -51,7 +51,7 @@ STREAMS: Registry[StreamKind[Any]] = Registry("streams", "stream", StreamKind)
 
 
 def stream_kinds() -> dict[str, StreamKind[Any]]:
-    """All streams that can be loaded, by name, in the order of lists."""
+    """All streams that can be loaded, by name, in the order in which lists show them."""
     return kinds_of(STREAMS)
 
 

@@ -63,7 +63,7 @@ def markers(wearer: Wearer) -> Array:
 
 
 def write_c3d(path: Path, names: tuple[str, ...], points: Array, rate: float = RATE) -> Path:
-    """By ezc3d; points (N, K, 3) m, written in mm."""
+    """Write a C3D file with ezc3d: points (N, K, 3) in m, stored in mm."""
     file = ezc3d.c3d()
     file["parameters"]["POINT"]["UNITS"]["value"] = ["mm"]
     file["parameters"]["POINT"]["RATE"]["value"] = [rate]

@@ -34,7 +34,7 @@ DOORS: Registry[DoorKind[Any]] = Registry("remote", "remote control", DoorKind)
 
 
 def door_kinds() -> dict[str, DoorKind[Any]]:
-    """All protocols that can be loaded, by name, in the order of lists."""
+    """All protocols that can be loaded, by name, in the order in which lists show them."""
     return kinds_of(DOORS)
 
 
