@@ -12,7 +12,7 @@ import os
 import threading
 import time
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -40,6 +40,7 @@ from tracker.sensors.protocol import (
     encode,
 )
 from tracker.simulation.electric import ElectricFault
+from tracker.simulation.vibration import MotorVibration
 
 GYRO_RANGE_DPS, ACCEL_RANGE_G = 2000, 16
 TICK = 0.002  # s between two polls of the line, and of the clock while nothing is due
@@ -97,6 +98,7 @@ class SimulatedGlove:
         self._source, self._imu_count, self._t_0 = source, imu_count, t_0
         self._rng = np.random.default_rng(self.params.seed)
         self._electric = ElectricFault("", 0.0, self._rng)
+        self._motors = MotorVibration(imu_count, np.random.default_rng([self.params.seed, 1]))
         self._streaming, self._seq = False, 0
         self._stopping = threading.Event()
         self._lock = threading.Lock()
@@ -233,6 +235,9 @@ class SimulatedGlove:
         if self.faults.silent or self._rng.random() < self.faults.drop:
             return []
         t_us = self.params.start_us + round(sample.t * (1 + self.params.skew) * 1e6)
+        if (shaken := self._motors.at(sample.t)) is not None:
+            accel, gyro = sample.accel + shaken[0], sample.gyro + shaken[1]
+            sample = replace(sample, accel=accel, gyro=gyro)
         raw = quantised(sample, self.params.accel_range_g)
         packet = self._wired(Samples(seq, t_us % 2**32, raw))
         if self._rng.random() < self.faults.corrupt:
@@ -276,6 +281,8 @@ class SimulatedGlove:
                     self._streaming = False
                 case Haptic() if self._electric.kind == "motor reset":
                     self._restart()
+                case Haptic():
+                    self._motors.run(frame, time.monotonic() - self._t_0)
                 case _:
                     continue
 
