@@ -213,7 +213,8 @@ class BlobFrame(_Frozen):
     ``unhidden`` (2, M), where there is another hand: the factor by which that one, standing before
     them, lessens the probability that the left and the right camera see each marker of this one.
     ``search`` is how far a hand may be looked for: a search takes as long as ten images. ``motion``
-    is that of a moving camera whose rows are exposed one after the other.
+    is that of a moving camera whose rows are exposed one after the other, or whose time stamps
+    jitter. ``stamp_sd`` s is the standard deviation of ``t``; 0 where it is negligible.
     """
 
     t: float
@@ -228,6 +229,7 @@ class BlobFrame(_Frozen):
     unhidden: Array | None = None
     search: Search = Search.FULL
     motion: CameraMotion | None = None
+    stamp_sd: float = 0.0
 
 
 @record(

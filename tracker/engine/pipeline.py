@@ -37,6 +37,7 @@ from tracker.online.camera_motion import CameraMotionEstimate, TimedPose
 from tracker.online.camera_tilt import CameraTilt, CameraTiltSavedState
 from tracker.online.frame_timing import FrameTiming, FrameTimingSavedState
 from tracker.online.pair_offset import PairOffset, PairOffsetSavedState
+from tracker.online.rig_alignment import RigAlignment, RigAlignmentSavedState
 from tracker.online.rig_watch import RigState, RigWatch
 from tracker.online.time_offset import TimeOffset
 from tracker.vision.crowding import MOST_BLOBS, BlobLimit
@@ -64,6 +65,7 @@ class PipelineSavedState:
     by_images: bool = False
     camera_motion: TimedPose | None = None
     celsius: Array = field(default_factory=lambda: np.empty(0))
+    alignment: RigAlignmentSavedState = field(default_factory=RigAlignmentSavedState)
 
 
 class Pipeline:
@@ -74,7 +76,8 @@ class Pipeline:
 
     ``engine`` is public for what only some engines have, such as a wearer's profile. ``timing`` is
     the delay of the images' stamps, ``pair_offset`` that of the right camera's exposure, each as
-    estimated and as corrected; ``ahead`` is where the hand is expected.
+    estimated and as corrected, ``alignment`` likewise the rotation of the right camera since its
+    calibration; ``ahead`` is where the hand is expected.
     """
 
     def __init__(
@@ -96,6 +99,7 @@ class Pipeline:
         offset = TimeOffset(hand, glove, rig)
         self.timing = FrameTiming(offset, self.settings.timing)
         self.pair_offset = PairOffset(rig)
+        self.alignment = RigAlignment(rig, self.settings.alignment)
         self._results: list[FrameResult] = []
         self._notices, self._abandoned = Outbox(), False
         self.source_notices = Outbox()
@@ -141,11 +145,14 @@ class Pipeline:
             ignored = self.blob_limit.ignored
             self.source_notices.post(warning("images.crowded", limit=MOST_BLOBS, ignored=ignored))
         self.pair_offset.remember(frame)
+        self.alignment.remember(frame)
         frame = self.ahead.synchronised(frame)
         if self._watch.usable(frame):
-            frame = self._camera.posed(self.timing.corrected(frame))
-            rolling = self.rig.line_time > 0.0
-            self.engine.feed_frame(self._camera_motion.moved(frame) if rolling else frame)
+            self.alignment.start_from(self._watch.shift)
+            frame = self.timing.corrected(self.alignment.aligned(frame))
+            frame = self._camera.posed(frame)
+            is_timed_roughly = self.rig.line_time > 0.0 or frame.stamp_sd > 0.0
+            self.engine.feed_frame(self._camera_motion.moved(frame) if is_timed_roughly else frame)
             self._collect()
         else:
             nothing = FrameResult.nothing(frame.t, Tracking.SEARCHING, len(self.glove.markers))
@@ -214,6 +221,8 @@ class Pipeline:
                 self._notices.post(ABANDONED)
             restored = self.timing.restored(result)
             self.pair_offset.learn(restored)
+            restored = self.alignment.restored(restored)
+            self.alignment.learn(restored)
             self._results.append(restored)
 
     def take_results(self) -> list[FrameResult]:
@@ -229,7 +238,7 @@ class Pipeline:
     def drain_notices(self) -> list[Notice]:
         """Notices since the last call: about guided poses, packets and the camera."""
         self._abandoned = False
-        parts = (self._notices, self.source_notices, self._watch.notices)
+        parts = (self._notices, self.source_notices, self._watch.notices, self.alignment.notices)
         return [found for part in parts for found in part.drain()]
 
     def predict(self, t: float) -> Estimate:
@@ -254,6 +263,7 @@ class Pipeline:
             self._by_images,
             self._camera_motion.last,
             self._imus.celsius,
+            self.alignment.get_state(),
         )
 
     def set_state(self, state: PipelineSavedState) -> None:
@@ -265,6 +275,7 @@ class Pipeline:
         self._packet, self._by_images = state.packet, state.by_images
         self._camera_motion.last = state.camera_motion
         self._imus.celsius = state.celsius
+        self.alignment.set_state(state.alignment)
 
 
 def inferred(estimate: Estimate) -> Estimate:

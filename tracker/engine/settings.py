@@ -11,6 +11,7 @@ from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.hybrid_params import HybridParams
 from tracker.fusion.vist.params import VistParams
 from tracker.online.frame_timing import TimingParams
+from tracker.online.rig_alignment import AlignmentParams
 
 
 @dataclass(frozen=True)
@@ -27,7 +28,12 @@ class Settings:
     hybrid: HybridParams = field(default_factory=HybridParams)
     vist: VistParams = field(default_factory=VistParams)
     timing: TimingParams = field(default_factory=TimingParams)
+    alignment: AlignmentParams = field(default_factory=AlignmentParams)
     engines: dict[str, dict[str, Any]] = field(default_factory=dict)
+
+
+BEFORE: dict[str, dict[str, Any]] = {"timing": {"jitter": False}, "alignment": {"apply": False}}
+"""What the settings of recordings mean where they lack a key: what came later was not in use."""
 
 
 def settings_from(data: Mapping[str, Any], complain: Complain) -> Settings:
@@ -36,3 +42,12 @@ def settings_from(data: Mapping[str, Any], complain: Complain) -> Settings:
     The table ``streams`` of older recordings and files has no effect on tracking and is ignored.
     """
     return from_dict(Settings, {k: v for k, v in data.items() if k != "streams"}, complain)
+
+
+def recorded_settings_from(data: Mapping[str, Any], complain: Complain) -> Settings:
+    """`settings_from` for those of a recording, which is tracked as it was when it was made."""
+    older = {
+        table: {**keys, **data.get(table, {})} if isinstance(data.get(table, {}), Mapping) else keys
+        for table, keys in BEFORE.items()
+    }
+    return settings_from({**data, **older}, complain)

@@ -25,7 +25,7 @@ from tracker.engine.kinds import (
     capabilities_of,
     settings_text,
 )
-from tracker.engine.settings import Settings, settings_from
+from tracker.engine.settings import Settings, recorded_settings_from, settings_from
 from tracker.fusion.chain.guided.events import guided_of
 from tracker.glove import library
 from tracker.messages import (
@@ -278,7 +278,7 @@ def _usable_settings(text: str) -> tuple[Settings, list[str]]:
         data = parse_toml(text, SETTINGS)
     except FileError as error:
         raise ConfigError(notice("track.settings_not_usable", why=error)) from error
-    found = settings_from(data, lambda path, why: unusable.append(path))
+    found = recorded_settings_from(data, lambda path, why: unusable.append(path))
     if found.engine not in ENGINES.names():
         unusable.append("engine")
         found = replace(found, engine=Settings().engine)

@@ -7,10 +7,11 @@ sent them gets the results back under their own stamps.
 from __future__ import annotations
 
 from collections import deque
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from tracker.base.records import record
 from tracker.messages import BlobFrame, FrameResult, ImuSample
+from tracker.online.stamp_jitter import StampJitter, StampJitterSavedState
 from tracker.online.time_offset import Offset, TimeOffset, TimeOffsetSavedState
 
 WAITING = 64  # images that may be under way
@@ -25,18 +26,20 @@ class TimingParams:
     clear: float = 3.0  # standard deviations from zero, at least
     worth: float = 0.005  # offset from which on it is taken off: below it, it may be noise
     step: float = 0.001  # change from one image to the next
+    jitter: bool = True  # whether the jitter of stamps counts as noise
 
 
 @record("frame_timing")
 @dataclass(eq=False)
 class FrameTimingSavedState:
     """All of it that changes: what was measured, images under way with the instants (s) that the
-    engine received, and the offset (s) aimed at and taken off."""
+    engine received, the offset (s) aimed at and taken off, and the jitter of stamps."""
 
     offset: TimeOffsetSavedState
     under_way: list[tuple[float, BlobFrame]]
     target: float
     applied: float
+    jitter: StampJitterSavedState = field(default_factory=StampJitterSavedState)
 
 
 class FrameTiming:
@@ -45,6 +48,7 @@ class FrameTiming:
     def __init__(self, offset: TimeOffset, params: TimingParams) -> None:
         self._offset, self._params = offset, params
         self._under_way: deque[tuple[float, BlobFrame]] = deque(maxlen=WAITING)
+        self._jitter = StampJitter()
         self._target = 0.0
         self.applied = 0.0
         """s that are taken off stamps now."""
@@ -54,6 +58,11 @@ class FrameTiming:
         """What images are late by, as measured."""
         return self._offset.estimate
 
+    @property
+    def jitter(self) -> float:
+        """s, standard deviation of the stamps, as measured; 0 while unknown."""
+        return self._jitter.measured
+
     def packet(self, sample: ImuSample) -> None:
         """Before the engine takes a packet."""
         self._offset.feed_imu(sample)
@@ -61,11 +70,15 @@ class FrameTiming:
     def corrected(self, frame: BlobFrame) -> BlobFrame:
         """The image for the engine."""
         self._aim()
+        self._jitter.take(frame.t)
+        sd = self._jitter.sd if self._params.jitter else 0.0
         step = self._params.step
         self.applied += min(max(self._target - self.applied, -step), step)
         t = frame.t - self.applied
         self._under_way.append((t, frame))
-        return frame if t == frame.t else replace(frame, t=t)
+        if t == frame.t and sd == 0.0:
+            return frame
+        return replace(frame, t=t, stamp_sd=sd)
 
     def restored(self, result: FrameResult) -> FrameResult:
         """The engine's result under the image's own stamp; the offset learns from it."""
@@ -88,10 +101,12 @@ class FrameTiming:
     def get_state(self) -> FrameTimingSavedState:
         """Everything that changes."""
         offset, under_way = self._offset.get_state(), list(self._under_way)
-        return FrameTimingSavedState(offset, under_way, self._target, self.applied)
+        jitter = self._jitter.get_state()
+        return FrameTimingSavedState(offset, under_way, self._target, self.applied, jitter)
 
     def set_state(self, state: FrameTimingSavedState) -> None:
         """Go on from `get_state`."""
         self._offset.set_state(state.offset)
         self._under_way = deque(state.under_way, maxlen=WAITING)
         self._target, self.applied = state.target, state.applied
+        self._jitter.set_state(state.jitter)

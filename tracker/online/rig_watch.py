@@ -71,10 +71,14 @@ class RigWatch:
         self._jumps = JumpWatch(rig.fx, jumps)
         self.notices = Outbox()
         self.state = RigState()
+        self.shift = float("nan")
+        """px by which the rows of the left image exceed those of the right one in the last image;
+        NaN where pairs do not agree on one."""
 
     def usable(self, frame: BlobFrame) -> bool:
         """Whether left is left in this image, as far as it shows. Depends on it alone."""
         self._jumps.image(frame.t, frame.t_arrival)
+        self.shift = float("nan")
         if frame.left is None or frame.right is None:
             return True
         right, wrong, others, shift = leaders(*self._votes(frame.left, frame.right))
@@ -82,6 +86,7 @@ class RigWatch:
         swapped = wrong >= p.votes and wrong > p.clear * right
         self._note_order(swapped, right >= p.votes and right > wrong)
         if not swapped and right >= p.votes and right > p.clear * others:
+            self.shift = shift
             self._note_shift(shift)
         return not swapped
 

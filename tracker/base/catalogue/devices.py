@@ -11,6 +11,11 @@ TEXTS = {
         "since the stereo calibration. Calibrate the camera again."
     ),
     "camera.fits_again": "The two images fit the stereo calibration again.",
+    "camera.calibrate_again": (
+        "The two images are offset vertically by {apart_px:.1f} pixels against the stereo "
+        "calibration. Tracking corrects this, but distances may be wrong. Calibrate the camera "
+        "again."
+    ),
     "camera.lens_knocked": (
         "The images have moved relative to each other by {jump_px:.0f} pixels at once: a "
         "lens was knocked. If this does not recover, calibrate the camera again."

@@ -22,6 +22,7 @@ from tracker.fusion.chain.row_exposure import (
     marker_velocities,
     with_velocity,
 )
+from tracker.fusion.chain.stamp_noise import StampNoise, common_noise, widened
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.output.completion import Completion
 from tracker.kernels import kernel
@@ -102,9 +103,10 @@ class PixelModel:
         pose: CameraPose,
         unhidden: Array | None = None,
         exposure: RowExposure | None = None,
+        stamp: StampNoise | None = None,
     ) -> Prediction:
         """Predicts the markers in the images; ``unhidden`` as in a `BlobFrame`, ``exposure`` for a
-        camera with a rolling shutter."""
+        camera with a rolling shutter, ``stamp`` of `stamp_noise`."""
         lay, rig, noise = self._layout, self._rig, self._noise.pixel
         view, markers, body = PosedRig.of(rig, pose), marker_points(state, lay), state.body
         p_GB, p_G, normal_G, p_C, uv = viewed(
@@ -126,7 +128,20 @@ class PixelModel:
         found = Prediction(rows, uv, prior, H, HP, cov, A, S)
         if delay is not None:
             with_velocity(found, delay, state.P, noise.pixel_px)
+        if stamp is not None:
+            widened(found, stamp, noise.pixel_px)
         return found
+
+    def stamp_noise(
+        self, state: ChainState, pose: CameraPose, moving: RowExposure | None, sd: float
+    ) -> StampNoise | None:
+        """Of an image whose stamp has the standard deviation ``sd`` s; None where nothing is
+        ``moving``."""
+        if moving is None:
+            return None
+        lay, view = self._layout, PosedRig.of(self._rig, pose)
+        v_C = marker_velocities(state, lay, marker_points(state, lay), moving, view)
+        return StampNoise(sd, np.ascontiguousarray(v_C @ pose.R_GC.T))
 
     def row_shift(
         self, state: ChainState, pose: CameraPose, exposure: RowExposure | None
@@ -149,11 +164,18 @@ class PixelModel:
         return matched(prediction, left, right, self._layout.glove.marker_hue, self._digit)
 
     def rows(
-        self, prediction: Prediction, seen: tuple[SeenBlobs, ...], match: IntArray
+        self,
+        prediction: Prediction,
+        seen: tuple[SeenBlobs, ...],
+        match: IntArray,
+        stamp: StampNoise | None = None,
     ) -> tuple[Array, Array, Array, Array]:
         """Stacked H (m, N), HP (m, N), innovation (m,), noise (m, m) of all matched markers."""
         left, right = seen
-        return point_rows(prediction, match, left.uv, right.uv, self._noise.pixel)
+        H, HP, r, R = point_rows(prediction, match, left.uv, right.uv, self._noise.pixel)
+        if stamp is not None:
+            R += common_noise(prediction, match, stamp, len(r))
+        return H, HP, r, R
 
 
 @kernel(nogil=False)

@@ -22,6 +22,7 @@ from tracker.fusion.chain.pixels import USUAL_LN_DET, PixelModel, SeenBlobs, Tal
 from tracker.fusion.chain.prediction import PosedRig, Prediction
 from tracker.fusion.chain.reports import frame_result
 from tracker.fusion.chain.row_exposure import RowExposure, root_velocities
+from tracker.fusion.chain.stamp_noise import StampNoise
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.support import LIKELY, Evidence, evidence
 from tracker.fusion.time.imu_buffer import ImuBuffer
@@ -115,6 +116,7 @@ class SeenImage(NamedTuple):
     pose: CameraPose
     exposure: RowExposure | None
     unturned: tuple[SeenBlobs, ...]
+    moving: RowExposure | None = None  # while the image's instant is uncertain
 
     @property
     def most_blobs(self) -> int:
@@ -189,10 +191,15 @@ class Recognition:
                 for c, side in enumerate(blobs)
             )
             unturned = left, right
-        return SeenImage(frame, blobs, pose, exposure, unturned)
+        moving = RowExposure.of_stamp(frame, self._buffer)
+        return SeenImage(frame, blobs, pose, exposure, unturned, moving)
 
     def _predict(self, state: ChainState, image: SeenImage) -> Prediction:
-        return self._pixels.predict(state, image.pose, image.frame.unhidden, image.exposure)
+        stamp, unhidden = self._stamp(state, image), image.frame.unhidden
+        return self._pixels.predict(state, image.pose, unhidden, image.exposure, stamp)
+
+    def _stamp(self, state: ChainState, image: SeenImage) -> StampNoise | None:
+        return self._pixels.stamp_noise(state, image.pose, image.moving, image.frame.stamp_sd)
 
     def follow(self, state: ChainState, image: SeenImage) -> Recognised:
         """Matches blobs near the markers predicted by ``state``, or near those of the previous
@@ -313,7 +320,8 @@ class Recognition:
         """Measurement rows of the matched blobs for ``state``."""
         if self._params.coupling == "loose":
             return self._loose(state, found.prediction, image.blobs, found.match, image.pose)
-        return self._pixels.rows(found.prediction, image.blobs, found.match)
+        stamp = self._stamp(state, image)
+        return self._pixels.rows(found.prediction, image.blobs, found.match, stamp)
 
     def finish(
         self, state: ChainState, image: SeenImage, found: Recognised, tracking: Tracking

@@ -39,8 +39,16 @@ class RowExposure(NamedTuple):
     @staticmethod
     def of(frame: BlobFrame, rig: StereoRig, buffer: ImuBuffer) -> RowExposure | None:
         """None of a global shutter."""
-        if rig.line_time == 0.0:
-            return None
+        return None if rig.line_time == 0.0 else RowExposure.moving(frame, buffer)
+
+    @staticmethod
+    def of_stamp(frame: BlobFrame, buffer: ImuBuffer) -> RowExposure | None:
+        """What moves while an image's instant is uncertain; None where that is negligible."""
+        return None if frame.stamp_sd == 0.0 else RowExposure.moving(frame, buffer)
+
+    @staticmethod
+    def moving(frame: BlobFrame, buffer: ImuBuffer) -> RowExposure:
+        """What moves at the instant of an image."""
         now = buffer.at(frame.t)
         gyro = np.zeros((buffer.imus, 3)) if now is None else now.gyro
         valid = np.zeros(buffer.imus, np.bool_) if now is None else now.valid
