@@ -303,15 +303,12 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
         if setup is None or now is None or now.engine is not setup.engine:
             return False
         output.attach(self._report)
-        self._say(self.tr("The stream {} is running.").format(output.title))
+        running = self.tr("The stream {} is running.").format(output.title)
+        self._host.happened.emit(Event(0.0, "device", running))
         return True
 
     def _report(self, what: Notice) -> None:
         self._host.happened.emit(Event.of(0.0, "device", what))
-
-    def _say(self, text: str) -> None:
-        """Thread-safe."""
-        self._host.happened.emit(Event(0.0, "device", text))
 
     def shut_down(self) -> None:
         """After the last job: close all streams."""

@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import Protocol as Interface
 
 from extensions.study.progress import RECORDED, Progress
-from extensions.study.protocol import Task
 from extensions.study.schedule import PRACTICE, REST, TRIAL, Cue, Step
 from extensions.study.verdict import Verdict
 
@@ -68,12 +67,6 @@ class Conductor:
         return self.progress.step
 
     @property
-    def task(self) -> Task | None:
-        """The task of the present trial."""
-        step = self.step
-        return self.progress.protocol.tasks[step.task] if step is not None and step.task else None
-
-    @property
     def cue(self) -> Cue | None:
         """What the participant is to do now."""
         step = self.step
@@ -101,12 +94,6 @@ class Conductor:
         """s until the trial begins."""
         return max(self.progress.protocol.countdown - self.elapsed, 0.0)
 
-    @property
-    def tries(self) -> int:
-        """Recordings of the present trial so far, without interrupted ones."""
-        tries = self.progress.entry(self.step).tries if self.step is not None else []
-        return sum(one.outcome != "interrupted" for one in tries)
-
     # ---- what the experimenter does
 
     def go_on(self, t: float) -> None:
@@ -118,10 +105,11 @@ class Conductor:
                 self.tick(t)
             case Phase.RUNNING if self.step is not None and self.step.duration == 0:
                 self._end_trial(t)
-            case Phase.VERDICT:
-                self._accept()
+            case Phase.VERDICT if self.step is not None:
+                self.progress.accept(self.step)
+                self._enter()
             case Phase.REST:
-                self._finish_rest()
+                self._finish()
 
     def repeat(self, t: float) -> None:
         """Record the judged trial again."""
@@ -168,7 +156,7 @@ class Conductor:
         elif self.phase is Phase.REST and not self.paused:
             self.rest_left -= passed
             if self.rest_left <= 0:
-                self._finish_rest()
+                self._finish()
 
     def recorded(self) -> None:
         """The file of the trial is complete."""
@@ -229,27 +217,20 @@ class Conductor:
                     cue.what,
                     {"study_cue": self._shown, "trial": step.name},
                 )
-        task = self.task
+        task = self.progress.task
         assert task is not None
         if self.elapsed >= (step.duration or task.longest) and task.kind == "cues":
             self._end_trial(t)
 
     def _end_trial(self, t: float) -> None:
-        step = self.step
-        assert step is not None
-        if step.kind == PRACTICE:
-            self.progress.done(step)
-            self._enter()
+        if self.step is not None and self.step.kind == PRACTICE:
+            self._finish()
             return
         self._change(Phase.CHECKING, t)
         self._station.end()
 
-    def _accept(self) -> None:
-        assert self.step is not None
-        self.progress.accept(self.step)
-        self._enter()
-
-    def _finish_rest(self) -> None:
+    def _finish(self) -> None:
+        """Finish a step without a recording."""
         assert self.step is not None
         self.progress.done(self.step)
         self._enter()

@@ -56,7 +56,7 @@ class Run:
                     conductor.go_on(self._t)
 
     def _get_ready(self, step: Step) -> None:
-        self._station.prepare(step, self._conductor.tries)
+        self._station.prepare(step, self._conductor.progress.tries)
         self._t = 0.0
         self._conductor.go_on(self._t)
 
@@ -83,7 +83,7 @@ class Run:
         if verdict.is_good:
             self._say(f"{step.name}: accepted ({summary(verdict)})")
             conductor.go_on(self._t)
-        elif conductor.tries < self._protocol.tries:
+        elif conductor.progress.tries < self._protocol.tries:
             self._say(f"{step.name}: repeated. {_why(verdict)}")
             conductor.repeat(self._t)
         else:

@@ -14,7 +14,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
-from extensions.study.protocol import Protocol
+from extensions.study.protocol import Protocol, Task
 from extensions.study.schedule import TRIAL, Step, steps_of
 from tracker.base.errors import FileError, GlovetrackError
 from tracker.base.files import make_folder, read_bounded, write_whole
@@ -81,6 +81,18 @@ class Progress:
     def step(self) -> Step | None:
         """The first step that is not finished; None at the end."""
         return next((s for s in self.steps if self.entries[s.name].state not in FINISHED), None)
+
+    @property
+    def task(self) -> Task | None:
+        """The task of the present trial; None in a rest and at the end."""
+        step = self.step
+        return self.protocol.tasks[step.task] if step is not None and step.task else None
+
+    @property
+    def tries(self) -> int:
+        """Recordings of the present step so far, without interrupted ones."""
+        tries = self.entry(self.step).tries if self.step is not None else []
+        return sum(one.outcome != "interrupted" for one in tries)
 
     @property
     def trials(self) -> tuple[Step, ...]:

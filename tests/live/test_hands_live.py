@@ -130,7 +130,9 @@ def test_unplugging_one_glove_does_not_affect_the_other_hand(sim) -> None:
         estimate = live.loop.seen[side].estimate
         assert estimate is not None and estimate.tracking == Tracking.TRACKING
         off = estimate.keypoints - sim.hands[side].truth(estimate.t).keypoints
-        assert np.linalg.norm(off, axis=1).mean() < 0.015  # m, of simulated hands that are tracked
+        measured = estimate.keypoint_state == Validity.MEASURED
+        assert measured.sum() >= 8
+        assert np.linalg.norm(off[measured], axis=1).mean() < 0.01  # m, of hands that are tracked
     assert live.loop.status("left").values["imu_lost"] > 50
     assert live.loop.status("right").values["imu_lost"] == 0
 

@@ -94,6 +94,11 @@ class RepeatFilter:
         return now - last >= self._patience
 
 
+def _guided_event(command: GuidedCommand, t: float) -> Event:
+    """The beginning or end of a guided pose."""
+    return began(command.pose, t) if command.begins else ended(command.pose, t, command.held)
+
+
 class LiveLoop:
     """`feed` is for one thread; everything else may be called from any.
 
@@ -142,8 +147,9 @@ class LiveLoop:
             self._feed_wrist(item)
         elif isinstance(item, EngineCommand):
             self._execute(item)
-        elif isinstance(item, GuidedCommand):
-            self._guide(item)
+        elif isinstance(item, GuidedCommand):  # between the same two messages as in the recording
+            with self._pipeline_lock:
+                self._request(_guided_event(item, self._order.mark()), item.side)
         elif isinstance(item, ResetCommand):
             with self._pipeline_lock:
                 self._request(reset_event(self._order.mark()), item.side)
@@ -212,16 +218,6 @@ class LiveLoop:
         except GlovetrackError as error:
             self.journal.report("error", error.notice)
         self._next_report = 0.0  # its effect is shown immediately
-
-    def _guide(self, command: GuidedCommand) -> None:
-        """Feeds a guided pose to the engine and records it, between the same two messages."""
-        with self._pipeline_lock:
-            t = self._order.mark()
-            if command.begins:
-                event = began(command.pose, t)
-            else:
-                event = ended(command.pose, t, command.held)
-            self._request(event, command.side)
 
     def _request(self, event: Event, side: str) -> None:
         """Feeds and records a request to one hand; with two hands, the event names the hand."""

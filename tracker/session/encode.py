@@ -121,7 +121,7 @@ class Encoder:
             case Status():
                 return self.status(message)
             case Event():
-                return self.event(message)
+                return iter((event_message(message, self._wall(message.t)),))
             case RobotModel() | RobotState() | RobotMemory():
                 return self.robot(message)
             case FrameResult() | EngineState():
@@ -311,14 +311,6 @@ class Encoder:
         )
         yield Out(topics.STATUS, motion.DIAGNOSTICS, stamp, stamp, data)
 
-    def event(self, m: Event) -> Iterator[Out]:
-        stamp = self._wall(m.t)
-        record = {"stamp_ns": stamp, "kind": m.kind, "text": m.text, "data": m.data}
-        if m.notice is not None:
-            record |= to_json(m.notice)
-        text = json.dumps(record, ensure_ascii=False, default=str)
-        yield Out(topics.EVENTS, motion.STRING, stamp, stamp, motion.pack_string(text))
-
     def rig(self, rig: StereoRig, t: float) -> Iterator[Out]:
         """Writes the calibrations of the cameras; their poses too, unless frames contain them."""
         now = self._wall(t)
@@ -348,6 +340,15 @@ def imu_variances(noise: ImuNoise | None) -> tuple[float, float]:
     place for biases, so these are not contained."""
     noise = noise or NOMINAL
     return noise.gyro**2 * PACKETS_HZ / 2, noise.accel**2 * PACKETS_HZ / 2
+
+
+def event_message(m: Event, stamp: int) -> Out:
+    """An event as JSON, with the code and values of its notice."""
+    record = {"stamp_ns": stamp, "kind": m.kind, "text": m.text, "data": m.data}
+    if m.notice is not None:
+        record |= to_json(m.notice)
+    text = json.dumps(record, ensure_ascii=False, default=str)
+    return Out(topics.EVENTS, motion.STRING, stamp, stamp, motion.pack_string(text))
 
 
 def wrist_numbers(m: WristPose) -> Array:

@@ -94,7 +94,7 @@ class SessionRecorder:
             hand.side: Encoder(hand, coding, status_name(info, hand.side), self._arrivals)
             for hand in info.hands
         }
-        self._encoder = self._encoders[info.side]
+        self._encoder = self._encoders[""] = self._encoders[info.side]
         self._next_check = info.anchor.wall_ns
         self._guarded(self._write_start)
 
@@ -154,16 +154,13 @@ class SessionRecorder:
         if isinstance(message, EngineState):
             self.write_state(message.t, engine_state.pack(message.engine, message.state))
         else:
-            self._guarded(lambda out: self._put(out, self._of(side).encoded(message)))
+            self._guarded(lambda out: self._put(out, self._encoders[side].encoded(message)))
         return True
 
     def arrived(self, t: float) -> None:
         """The measurement from which the next estimates follow arrived at ``t`` s, in a session
         that does not contain it."""
         self._arrivals.add(self.info.anchor.wall(t))
-
-    def _of(self, side: str) -> Encoder:
-        return self._encoders[side] if side else self._encoder
 
     def write_state(self, t: float, data: bytes) -> None:
         """An EngineState, packed by `tracker.session.engine_state`."""
@@ -188,7 +185,7 @@ class SessionRecorder:
 
     def write_truth(self, truth: Estimate, side: str = "") -> None:
         """What a simulated hand really did at an instant."""
-        self._guarded(lambda out: self._put(out, self._of(side).truth(truth)))
+        self._guarded(lambda out: self._put(out, self._encoders[side].truth(truth)))
 
     def write_rig(self, rig: StereoRig, t: float) -> None:
         """Writes a calibration that is valid from ``t`` on."""

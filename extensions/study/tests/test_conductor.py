@@ -146,7 +146,7 @@ def test_a_pause_interrupts_a_trial_which_is_repeated(
     assert conductor.phase is Phase.READY, "paused"
     conductor.pause(t)
     conductor.go_on(t)
-    assert conductor.phase is Phase.COUNTDOWN and conductor.tries == 0
+    assert conductor.phase is Phase.COUNTDOWN and conductor.progress.tries == 0
 
 
 def test_a_trial_can_be_repeated_or_excluded(conductor: Conductor) -> None:
@@ -158,7 +158,7 @@ def test_a_trial_can_be_repeated_or_excluded(conductor: Conductor) -> None:
         t = run(conductor, t, 8.0)
         conductor.recorded()
         conductor.judged(BAD)
-        assert conductor.tries == attempt
+        assert conductor.progress.tries == attempt
         if attempt == 1:
             conductor.repeat(t)
             assert conductor.step == step and conductor.phase is Phase.READY

@@ -183,10 +183,10 @@ class StudyDialog(QDialog):
     def _recorded(self, path: Path) -> None:
         conductor = self.conductor
         step = conductor.step if conductor is not None else None
-        if conductor is None or step is None or conductor.task is None:
+        if conductor is None or step is None or conductor.progress.task is None:
             return
         own = conductor.progress.path(step)
-        touch = conductor.task.kind == "touch" and conductor.phase is Phase.RUNNING
+        touch = conductor.progress.task.kind == "touch" and conductor.phase is Phase.RUNNING
         if touch and path != own:
             _link(path, own)  # the touch test has its own file, next to its own report
             conductor.go_on(monotonic())

@@ -62,7 +62,7 @@ def shown(conductor: Conductor) -> Shown:
 def _ready(conductor: Conductor, where: str, title: str) -> Shown:
     if conductor.paused:
         return Shown(where, title, tr("Paused"), "", can_pause=True)
-    task, step = conductor.task, conductor.step
+    task, step = conductor.progress.task, conductor.step
     assert task is not None and step is not None
     condition = conductor.progress.protocol.conditions[step.condition]
     detail = " ".join(text for text in (condition.instruction, task.instruction) if text)
@@ -70,7 +70,7 @@ def _ready(conductor: Conductor, where: str, title: str) -> Shown:
 
 
 def _running(conductor: Conductor, step: Step, where: str, title: str) -> Shown:
-    cue, task = conductor.cue, conductor.task
+    cue, task = conductor.cue, conductor.progress.task
     assert task is not None
     text = cue.what if cue is not None else task.title
     left = conductor.next_cue_in
@@ -115,6 +115,6 @@ def where_text(conductor: Conductor, step: Step) -> str:
     trials = conductor.progress.trials
     number = sum(conductor.progress.entry(t).state in FINISHED for t in trials)
     text = tr("{}: {} of {} trials done").format(step.participant, number, len(trials))
-    if step.kind == TRIAL and conductor.tries > 1:
-        text = tr("{}, try {}").format(text, conductor.tries)
+    if step.kind == TRIAL and conductor.progress.tries > 1:
+        text = tr("{}, try {}").format(text, conductor.progress.tries)
     return text

@@ -27,7 +27,12 @@ from tracker.fusion.chain.start.start import Starter
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.tape import Tape
 from tracker.fusion.chain.tip_bends import TipBends, TipBendsSavedState
-from tracker.fusion.chain.tracking import MANY_MARKERS, TrackingJudge, TrackingSavedState
+from tracker.fusion.chain.tracking import (
+    MANY_MARKERS,
+    TrackingJudge,
+    TrackingSavedState,
+    is_believable,
+)
 from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
 from tracker.messages import BlobFrame, FrameResult, ImuSample, Search, Tracking
 from tracker.vision.rig import StereoRig
@@ -155,7 +160,7 @@ class ChainTracker:
         view."""
         if not self._judge.is_coasting(image.frame.t):
             return True
-        there = self._judge.is_believable(found.tally)
+        there = is_believable(found.tally, self._params.match.min_markers)
         return there and self._second.fits_after_gap(image, found)
 
     def _correct(self, image: SeenImage, found: Recognised) -> None:

@@ -46,6 +46,11 @@ class TrackingSavedState:
     last_place: Array = field(default_factory=lambda: np.zeros(3))
 
 
+def is_believable(tally: Tally, least: int) -> bool:
+    """Whether enough markers match, ``least`` or more, for a hand that was out of view."""
+    return tally.matched >= max(least, BELIEVABLE_SHARE * tally.expected)
+
+
 class TrackingJudge:
     """Decides after each image, and where none arrives, how far the filter can be trusted."""
 
@@ -67,10 +72,6 @@ class TrackingJudge:
         p = self._params
         least = max(p.least_markers, ENOUGH_SHARE * tally.expected)
         return tally.matched >= min(p.min_markers, least)
-
-    def is_believable(self, tally: Tally) -> bool:
-        """Whether enough markers match for a hand that was out of view."""
-        return tally.matched >= max(self._params.min_markers, BELIEVABLE_SHARE * tally.expected)
 
     def judge(self, t: float, enough: bool) -> None:
         """After an image with ``enough`` markers, or without."""
