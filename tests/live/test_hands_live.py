@@ -17,7 +17,7 @@ from tracker.live.inbox import DetectedFrame, GuidedCommand
 from tracker.live.journal import Journal
 from tracker.live.loop import LiveLoop
 from tracker.live.telemetry import Telemetry
-from tracker.messages import Estimate, ImuSample, StereoFrame, Tracking
+from tracker.messages import Estimate, ImuSample, StereoFrame, Tracking, Validity
 from tracker.offline.track import track
 from tracker.session.description import describe, of_hands
 from tracker.session.reader import SessionReader
