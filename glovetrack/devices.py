@@ -13,8 +13,9 @@ from tracker.base.notices import notice
 from tracker.glove import library
 from tracker.glove.files import parse_glove
 from tracker.hand.files import parse_hand
-from tracker.sensors.glove_link import GloveLink, LinkParams
+from tracker.sensors.glove_link import GloveLink
 from tracker.sensors.glove_port import GlovePort
+from tracker.sensors.link_params import LinkParams
 from tracker.sensors.protocol import BAUD
 from tracker.sensors.sources import CameraSource, GloveSource, NoCamera
 

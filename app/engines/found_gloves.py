@@ -14,8 +14,9 @@ from tracker.glove import library
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.sensors.discovery import PortReport, find_gloves, serial_ports
-from tracker.sensors.glove_link import GloveLink, LinkParams, rates_at
+from tracker.sensors.glove_link import GloveLink
 from tracker.sensors.glove_port import GlovePort
+from tracker.sensors.link_params import LinkParams, rates_at
 from tracker.sensors.protocol import BAUD, BAUDS
 
 

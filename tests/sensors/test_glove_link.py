@@ -14,7 +14,8 @@ import pytest
 
 from tracker.messages import Event, ImuSample
 from tracker.sensors.decoder import FrameDecoder
-from tracker.sensors.glove_link import GloveLink, LinkState, serial_port
+from tracker.sensors.glove_link import GloveLink, serial_port
+from tracker.sensors.link_params import LinkState
 from tracker.sensors.protocol import Haptic
 from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove, link_to
 

@@ -8,8 +8,8 @@ import pytest
 
 from tests.sensors.scripted_glove import N, Run, Scripted
 from tracker.base.notices import notice, warning
-from tracker.sensors.glove_link import LinkState
 from tracker.sensors.glove_port import GlovePort
+from tracker.sensors.link_params import LinkState
 from tracker.sensors.protocol import BAUD, Hello
 from tracker.sensors.serial_line import Port, UsbPort
 

@@ -13,7 +13,8 @@ from tests.sensors.scripted_glove import LATENCY, SKEW, N, Run, Scripted
 from tracker import GRAVITY
 from tracker.base.notices import warning
 from tracker.messages import ImuSample
-from tracker.sensors.glove_link import GloveLink, LinkParams, LinkState, serial_port
+from tracker.sensors.glove_link import GloveLink, serial_port
+from tracker.sensors.link_params import LinkParams, LinkState
 from tracker.sensors.protocol import (
     BAUD,
     GloveStatus,

@@ -10,7 +10,8 @@ import pytest
 
 from tracker.messages import ImuSample
 from tracker.sensors.discovery import find_gloves
-from tracker.sensors.glove_link import GloveLink, LinkState, serial_port
+from tracker.sensors.glove_link import GloveLink, serial_port
+from tracker.sensors.link_params import LinkState
 from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove
 
 N = 2

@@ -13,9 +13,10 @@ from tracker.doctor.machine import Machine
 from tracker.firmware.versions import advice as firmware_advice
 from tracker.messages import ImuSample
 from tracker.sensors.discovery import PortReport, latency_advice, probe
-from tracker.sensors.glove_link import GloveLink, LinkParams
+from tracker.sensors.glove_link import GloveLink
 from tracker.sensors.imu_watch import ImuReport
 from tracker.sensors.link_figures import is_low
+from tracker.sensors.link_params import LinkParams
 from tracker.sensors.protocol import BAUDS
 
 OTHER_BAUDS = (9600, 57_600, 500_000, 1_000_000)

@@ -9,13 +9,12 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
-from enum import Enum
+from dataclasses import replace
 
 import numpy as np
 import serial
 
-from tracker.base.notices import Notice, notice, warning
+from tracker.base.notices import notice, warning
 from tracker.messages import Event, ImuSample
 from tracker.sensors.decoder import FrameDecoder
 from tracker.sensors.glove_messages import (
@@ -28,20 +27,25 @@ from tracker.sensors.glove_messages import (
 from tracker.sensors.glove_port import GlovePort
 from tracker.sensors.glove_report import GloveReport
 from tracker.sensors.imu_watch import CHIPS, ImuWatch
-from tracker.sensors.link_faults import LinkFaults, not_opened
+from tracker.sensors.link_faults import (
+    LinkFaults,
+    judge_rate,
+    not_opened,
+    stranger,
+    unknown_chip,
+    why_no_hello,
+)
 from tracker.sensors.link_figures import Announcements, LinkFigures, LowBattery
+from tracker.sensors.link_params import LinkParams, LinkState, rates_at
 from tracker.sensors.packet_clock import SEQ_BITS, PacketClock
 from tracker.sensors.protocol import (
-    BAUD,
     BITS_PER_BYTE,
-    RATES_HZ,
     ErrorText,
     Frame,
     GloveStatus,
     Haptic,
     Hello,
     HelloRequest,
-    ImuChip,
     Pulse,
     Rate,
     Samples,
@@ -55,44 +59,10 @@ from tracker.sensors.serial_line import WiredPort, read_waiting, reason, write_n
 from tracker.sensors.serial_line import serial_port as serial_port
 
 LONG_SILENCE = 60.0  # s, after which seq may have wrapped unseen
-SLOW_MOST_HZ = 100  # packets a second that 115200 baud carry
 ANSWER_WITHIN = 1.0  # s that a HELLO may be under way after it was asked for
 MOMENT = 0.002  # s that a motor command waits for another frame to be written
 LOST_AT_MOST = 200  # packets, while a HELLO is answered
-OTHER_RATE = 0.05  # share by which the rate may differ from what was asked for
 RATE_WITHIN = 2.0  # s after which a glove that was asked for another rate has taken it
-
-
-class LinkState(Enum):
-    """Where the link stands."""
-
-    UNPLUGGED = "unplugged"
-    GREETING = "greeting"  # open, waiting for HELLO
-    STREAMING = "streaming"
-    SILENT = "silent"  # streaming, but nothing has come for a while
-
-
-@dataclass(frozen=True)
-class LinkParams:
-    """Times in s."""
-
-    rate_hz: int = 100
-    boot: float = 2.0  # opening the port may reset the chip
-    patience: float = 2.0  # more without HELLO, then START is sent anyway
-    silent_after: float = 0.5
-    reopen_every: float = 0.5
-    baud: int = BAUD  # 200 packets a second need `BAUD`
-
-    def __post_init__(self) -> None:
-        if self.rate_hz not in RATES_HZ:
-            raise ValueError(f"the rate must be one of {RATES_HZ}")
-        if self.rate_hz > SLOW_MOST_HZ and self.baud < BAUD:
-            raise ValueError(f"{self.rate_hz} packets a second need {BAUD} baud")
-
-
-def rates_at(baud: int) -> tuple[int, ...]:
-    """Returns the packets a second that a line of ``baud`` carries."""
-    return RATES_HZ if baud >= BAUD else tuple(r for r in RATES_HZ if r <= SLOW_MOST_HZ)
 
 
 class GloveLink:
@@ -145,7 +115,7 @@ class GloveLink:
                 if self._port is not None:  # a stranger's was closed
                     out += self._take(frame, now)
             counters = self.decoder.counters
-            self._report(self._faults.errors(now, counters.errors, counters.frames))
+            self._events.report(self._faults.errors(now, counters.errors, counters.frames))
             self._watch(now)
             if self._write_error is not None:
                 raise self._write_error
@@ -311,7 +281,7 @@ class GloveLink:
             self._ranges = Ranges(hello.accel_range_g, hello.gyro_range_dps)
         for j, chip in enumerate(hello.chips):
             if chip.who_am_i and chip.who_am_i not in CHIPS:
-                self._events.once(f"chip {j}", _unknown_chip(j, chip))
+                self._events.once(f"chip {j}", unknown_chip(j, chip))
         if hello.imu_count != self._imu_count:
             has = warning("glove.imu_count", imus=hello.imu_count, expected=self._imu_count)
             self._events.once("count", has)
@@ -328,7 +298,7 @@ class GloveLink:
                 self._events.report(notice("glove.back_at", port=place.path))
                 self._was_gone = False
             return False
-        self._events.once(f"stranger {glove_id}", _stranger(place, glove_id))
+        self._events.once(f"stranger {glove_id}", stranger(place, glove_id))
         with self._writing:
             if self._port is not None:
                 self._port.close()
@@ -339,11 +309,7 @@ class GloveLink:
     def _restarted(self) -> None:
         self.figures.resets += 1
         self._events.report(warning("glove.restarted"))
-        self._report(self._faults.restarted(self._clock(), self.figures.battery_mV))
-
-    def _report(self, what: Notice | None) -> None:
-        if what is not None:
-            self._events.report(what)
+        self._events.report(self._faults.restarted(self._clock(), self.figures.battery_mV))
 
     def _begin(self, now: float) -> None:
         self._packet_clock, self._last_seq, self._began = self._new_clock(), None, now
@@ -380,7 +346,7 @@ class GloveLink:
             self._events.report(warning("glove.clock_jumped", jump_s=time_of.jumped))
         self.figures.skew_ppm = self._packet_clock.skew_ppm
         if now - self._rate_asked > RATE_WITHIN:
-            _judge_rate(self._packet_clock.rate_hz, self.params.rate_hz, self._events)
+            judge_rate(self._packet_clock.rate_hz, self.params.rate_hz, self._events)
         if self._ranges is None:
             self._ranges = range_at_rest(frame, time_of.t_device, self._at_rest, self._events)
         trusted = self._imu_ok
@@ -407,7 +373,7 @@ class GloveLink:
                 )
                 self._events.report(what)
                 if not back:
-                    self._report(self._faults.imu_lost(j, self._clock()))
+                    self._events.report(self._faults.imu_lost(j, self._clock()))
 
     def _watch(self, now: float) -> None:
         """What does not come: HELLO, or samples."""
@@ -418,36 +384,11 @@ class GloveLink:
                 self._send(Stop())  # one that streams since an earlier run says HELLO again
                 self._send(HelloRequest())
             if waited > p.boot + p.patience and not self._is_stranger(None, now):
-                self._events.report(self._why_no_hello())
+                missing = why_no_hello(self.decoder.counters, self._before_greeting, p.baud)
+                self._events.report(missing)
                 self._begin(now)
         elif self.state == LinkState.STREAMING and waited > p.silent_after:
             self.state = LinkState.SILENT
             suspended = getattr(self._port, "is_suspended", False)
             silent = warning("glove.silent", silent_s=p.silent_after)
             self._events.report(warning("glove.usb_suspended") if suspended else silent)
-
-    def _why_no_hello(self) -> Notice:
-        """Bytes of which none is a frame are those of another speed."""
-        now, before = self.decoder.counters, self._before_greeting
-        if now.frames == before.frames and now.errors > before.errors:
-            return warning("glove.wrong_baud", baud=self.params.baud)
-        return warning("glove.no_hello")
-
-
-def _stranger(place: GlovePort, glove_id: int | None) -> Notice:
-    """Reports the device at ``place`` that is not the glove that is expected there."""
-    if glove_id is None:
-        return warning("glove.stranger_unknown", port=place.path, glove_id=place.glove_id)
-    return warning("glove.stranger", port=place.path, found=glove_id, glove_id=place.glove_id)
-
-
-def _unknown_chip(imu: int, chip: ImuChip) -> Notice:
-    values = {"imu": imu, "chip": f"0x{chip.who_am_i:02X}"}
-    if chip.selftest:
-        return warning("glove.chip_refused", **values)
-    return notice("glove.chip_unknown", **values)
-
-
-def _judge_rate(rate_hz: float | None, asked_hz: int, events: Announcements) -> None:
-    if rate_hz is not None and abs(rate_hz / asked_hz - 1) > OTHER_RATE:
-        events.once("rate", warning("glove.other_rate", rate_hz=rate_hz, asked_hz=asked_hz))

@@ -4,9 +4,14 @@ from __future__ import annotations
 
 from collections import deque
 
-from tracker.base.notices import Notice, warning
+from tracker.base.notices import Notice, notice, warning
+from tracker.sensors.decoder import LinkCounters
+from tracker.sensors.glove_port import GlovePort
+from tracker.sensors.link_figures import Announcements
+from tracker.sensors.protocol import ImuChip
 from tracker.sensors.serial_line import reason
 
+OTHER_RATE = 0.05  # share by which the rate may differ from what was asked for
 MOTOR_WITHIN = 0.5
 """s from the start of a motor to a restart that it caused; a board needs up to 0.4 s to greet."""
 LOW_MV = 3300
@@ -82,3 +87,31 @@ def not_opened(error: Exception) -> Notice:
     if number == 13 or "ermission" in text:
         return warning("glove.port_denied", why=reason(error))
     return warning("glove.port_not_opened", why=reason(error))
+
+
+def why_no_hello(now: LinkCounters, before: LinkCounters, baud: int) -> Notice:
+    """Why a glove did not answer: bytes of which none is a frame are those of another baud rate."""
+    if now.frames == before.frames and now.errors > before.errors:
+        return warning("glove.wrong_baud", baud=baud)
+    return warning("glove.no_hello")
+
+
+def stranger(place: GlovePort, glove_id: int | None) -> Notice:
+    """Reports the device at ``place`` that is not the glove that is expected there."""
+    if glove_id is None:
+        return warning("glove.stranger_unknown", port=place.path, glove_id=place.glove_id)
+    return warning("glove.stranger", port=place.path, found=glove_id, glove_id=place.glove_id)
+
+
+def unknown_chip(imu: int, chip: ImuChip) -> Notice:
+    """Reports a chip whose number is not in the list of known ones."""
+    values = {"imu": imu, "chip": f"0x{chip.who_am_i:02X}"}
+    if chip.selftest:
+        return warning("glove.chip_refused", **values)
+    return notice("glove.chip_unknown", **values)
+
+
+def judge_rate(rate_hz: float | None, asked_hz: int, events: Announcements) -> None:
+    """Reports, once, packets that arrive at another rate than was asked for."""
+    if rate_hz is not None and abs(rate_hz / asked_hz - 1) > OTHER_RATE:
+        events.once("rate", warning("glove.other_rate", rate_hz=rate_hz, asked_hz=asked_hz))

@@ -68,9 +68,10 @@ class Announcements:
         self.topics: set[str] = set()
         """What `once` has reported on."""
 
-    def report(self, what: Notice) -> None:
-        """Add an event of now."""
-        self._events.append(Event.of(self._clock(), "device", what))
+    def report(self, what: Notice | None) -> None:
+        """Add an event of now; nothing without one."""
+        if what is not None:
+            self._events.append(Event.of(self._clock(), "device", what))
 
     def once(self, topic: str, what: Notice) -> None:
         """Report it unless ``topic`` has been reported on."""

@@ -14,8 +14,9 @@ from app.words import event_text, tr
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Event, ImuSample
-from tracker.sensors.glove_link import GloveLink, LinkParams
+from tracker.sensors.glove_link import GloveLink
 from tracker.sensors.glove_port import GlovePort
+from tracker.sensors.link_params import LinkParams
 from tracker.sensors.protocol import BAUD
 from tracker.simulation.glove_device import SimulatedGlove
 from tracker.simulation.wiggles import InstructedWearer

@@ -27,8 +27,9 @@ from tracker.messages import (
     Validity,
 )
 from tracker.sensors.camera import CameraParams, StereoCamera
-from tracker.sensors.glove_link import GloveLink, LinkState
+from tracker.sensors.glove_link import GloveLink
 from tracker.sensors.image_watch import SilenceWatch
+from tracker.sensors.link_params import LinkState
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 from tracker.simulation.virtual_devices import (
