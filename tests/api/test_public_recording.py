@@ -159,8 +159,8 @@ def test_both_hands(live_recordings: LiveRecordings) -> None:
 
 def test_events_are_notes_and_incidents(live: glovetrack.Recording) -> None:
     (begun,) = [e for e in live.events if e.kind == "recording"]
-    assert abs(begun.t) < 1.0
-    # an event of an image has the image's time: a loaded computer reports it seconds later
+    # A loaded computer records packets, and reports events of images, seconds after their instant.
+    assert -1.0 < begun.t < 30.0
     assert all(-30.0 < e.t < live.duration + 1.0 for e in live.events)
 
 
