@@ -9,7 +9,7 @@ from pathlib import Path
 from app.platform.subprocess_job import run_in_subprocess
 from app.platform.tasks import Job, JobProgress
 from app.viewmodels.recording_report import HandReport, RecordingReport
-from app.words import error_text
+from app.words import error_text, notice_text
 from tracker.base.errors import GlovetrackError
 from tracker.session.glance import HandShare, quality
 from tracker.session.reader import SessionReader
@@ -35,7 +35,7 @@ def _report(path: Path, progress: Callable[..., None]) -> RecordingReport:
     """Raises FileError if it cannot be read."""
 
     findings = verify(path, progress)
-    errors = [f"{f.where}: {f.what}" for f in findings if f.severity == "error"]
+    errors = [f"{f.where}: {notice_text(f.what)}" for f in findings if f.severity == "error"]
     with SessionReader(path) as reader:
         q, duration = quality(reader), reader.duration
         shares = q.hands or (HandShare(reader.info.side, q.tracked),)

@@ -11571,6 +11571,126 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>No messages for {silent_s:.1f} s.</source>
+      <translation>Keine Nachrichten während {silent_s:.1f} s.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The recording was not finished. `glovetrack recover` makes a complete file of it.</source>
+      <translation>Die Aufzeichnung wurde nicht abgeschlossen. `glovetrack recover` macht daraus eine vollständige Datei.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The profile is "{profile}", not "ros2".</source>
+      <translation>Das Profil ist „{profile}“ statt „ros2“.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The file was not recorded by Glovetrack.</source>
+      <translation>Die Datei wurde nicht von Glovetrack aufgezeichnet.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The stereo calibration or the pose of the camera is missing.</source>
+      <translation>Die Stereokalibrierung oder die Lage der Kamera fehlt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Damaged messages: {count} ({at} after the start).</source>
+      <translation>Beschädigte Nachrichten: {count} ({at} nach dem Beginn).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Repeated messages: {count}. Tracking uses each once.</source>
+      <translation>Wiederholte Nachrichten: {count}. Die Auswertung verwendet jede nur einmal.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Time stamps that run backwards: {count}.</source>
+      <translation>Rückwärts laufende Zeitstempel: {count}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Jumps of the clock: {count}.</source>
+      <translation>Sprünge der Uhr: {count}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Messages arrived up to {late_s:.1f} s late (in all {count} times): the computer was overloaded.</source>
+      <translation>Nachrichten kamen bis zu {late_s:.1f} s zu spät an (insgesamt {count}-mal): Der Computer war überlastet.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Gaps: {count}, the longest {longest_s:.3f} s after {after_s:.1f} s.</source>
+      <translation>Lücken: {count}, die längste {longest_s:.3f} s nach {after_s:.1f} s.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Interpolated positions that are marked as measured: {count}.</source>
+      <translation>Interpolierte Positionen, die als gemessen markiert sind: {count}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The file contains no messages of this IMU.</source>
+      <translation>Die Datei enthält keine Nachrichten dieser IMU.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The file contains neither images nor blobs of a camera.</source>
+      <translation>Die Datei enthält weder Bilder noch Markierungen einer Kamera.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The data section does not end where the summary begins.</source>
+      <translation>Der Datenteil endet nicht dort, wo die Zusammenfassung beginnt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The checksum of the data section is wrong.</source>
+      <translation>Die Prüfsumme des Datenteils ist falsch.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The summary and the file differ: {records}.</source>
+      <translation>Zusammenfassung und Datei weichen voneinander ab: {records}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The message index differs from the messages of the chunk.</source>
+      <translation>Das Nachrichtenverzeichnis weicht von den Nachrichten des Blocks ab.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The summary is damaged.</source>
+      <translation>Die Zusammenfassung ist beschädigt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The file ends within a record.</source>
+      <translation>Die Datei endet mitten in einem Datensatz.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A definition is damaged.</source>
+      <translation>Eine Definition ist beschädigt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A chunk is too short.</source>
+      <translation>Ein Block ist zu kurz.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A chunk has an impossible log time.</source>
+      <translation>Ein Block hat eine unmögliche Aufzeichnungszeit.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A chunk cannot be read ({why}).</source>
+      <translation>Ein Block kann nicht gelesen werden ({why}).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>Recordings are aligned by {known:or}, not by "{method}".</source>
       <translation>Aufnahmen werden nach {known:or} ausgerichtet, nicht nach {method}.</translation>
     </message>
@@ -13106,6 +13226,136 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>Specify a file for the Isaac record: isaac:take.mcap.</source>
+      <translation>Geben Sie eine Datei für den Isaac-Datensatz an: isaac:take.mcap.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is not an MCAP file, or it is truncated.</source>
+      <translation>{path} ist keine MCAP-Datei oder ist abgeschnitten.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A hand record is damaged.</source>
+      <translation>Ein Datensatz einer Hand ist beschädigt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{name} contains no hand records.</source>
+      <translation>{name} enthält keine Datensätze einer Hand.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} contains no records of these hands: {sides:words}.</source>
+      <translation>{path} enthält keine Datensätze dieser Hände: {sides:words}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove {glove} is for the {side:word} hand.</source>
+      <translation>Der Handschuh {glove} gilt für die Hand {side:word}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The Isaac record requires the joints of OpenXR.</source>
+      <translation>Der Isaac-Datensatz braucht die Gelenke von OpenXR.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is not a list of labelled steps.</source>
+      <translation>{path} ist keine Liste beschrifteter Schritte.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>--pairs must be at least 1, --seconds at least 4, and --fps between 5 and 240.</source>
+      <translation>--pairs muss mindestens 1 sein, --seconds mindestens 4 und --fps zwischen 5 und 240.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{folder} contains no BROAD recordings (*.mat).</source>
+      <translation>{folder} enthält keine BROAD-Aufnahmen (*.mat).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is not a recording of the BROAD data set: {why}.</source>
+      <translation>{path} ist keine Aufnahme des Datensatzes BROAD: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>This protocol requires the extension extensions/robot.</source>
+      <translation>Dieses Protokoll braucht die Erweiterung extensions/robot.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>--participants must be at least 1, --seconds at least 5, and --readout-ms greater than 0 and at most 50.</source>
+      <translation>--participants muss mindestens 1 sein, --seconds mindestens 5 und --readout-ms größer als 0 und höchstens 50.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Unknown {what}: "{name}". Available: {known:list}.</source>
+      <translation>Unbekannt ({what}): „{name}“. Vorhanden: {known:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Only the engine inertial can be evaluated without a camera.</source>
+      <translation>Ohne Kamera lässt sich nur der Schätzer inertial auswerten.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The engine inertial does not use images. Add --lenses none.</source>
+      <translation>Der Schätzer inertial verwendet keine Bilder. Ergänzen Sie --lenses none.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The engine {engine} requires both lenses. Add --engines chain.</source>
+      <translation>Der Schätzer {engine} braucht beide Objektive. Ergänzen Sie --engines chain.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Only the engine chain uses a wearer's profile. Add --engines chain.</source>
+      <translation>Nur der Schätzer chain verwendet das Profil einer Person. Ergänzen Sie --engines chain.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The report could not be written: {why}.</source>
+      <translation>Der Bericht konnte nicht geschrieben werden: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{folder} contains trials of another version of the program, which cannot be combined with new ones. Choose another folder, or empty it.</source>
+      <translation>{folder} enthält Versuche einer anderen Programmversion; sie lassen sich nicht mit neuen zusammenführen. Wählen Sie einen anderen Ordner, oder leeren Sie ihn.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The stored trial {path} is damaged. Delete it to compute it again.</source>
+      <translation>Der gespeicherte Versuch {path} ist beschädigt. Löschen Sie ihn, damit er neu berechnet wird.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>--participants must be at least 1, and --seconds at least 5.</source>
+      <translation>--participants muss mindestens 1 sein und --seconds mindestens 5.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>There is no channel {channel}.</source>
+      <translation>Es gibt keinen Kanal {channel}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Subscription {subscription} to channel {channel} is a second one.</source>
+      <translation>Das Abonnement {subscription} des Kanals {channel} ist ein zweites.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The message is invalid: {why}.</source>
+      <translation>Die Nachricht ist ungültig: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Glovetrack has no operation "{operation}".</source>
+      <translation>Glovetrack hat keine Operation „{operation}“.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>ffmpeg could not write {file}: {why}</source>
       <translation>ffmpeg konnte {file} nicht schreiben: {why}</translation>
     </message>
@@ -13188,6 +13438,141 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>{first} and {other} differ in their {what:word}, which must be the same for all episodes. Export them one by one, or leave the difference out (--images none).</source>
       <translation>{first} und {other} unterscheiden sich ({what:word}); bei allen Episoden muss das gleich sein. Exportieren Sie sie einzeln, oder lassen Sie den Unterschied weg (--images none).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No C++ compiler was found. Install one; on Debian: apt-get install g++</source>
+      <translation>Es wurde kein C++-Compiler gefunden. Installieren Sie einen; unter Debian: apt-get install g++</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The headers of OpenXR were not found. Install them; on Debian: apt-get install libopenxr-dev</source>
+      <translation>Die Header von OpenXR wurden nicht gefunden. Installieren Sie sie; unter Debian: apt-get install libopenxr-dev</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} cannot be compiled: {why}</source>
+      <translation>{file} lässt sich nicht übersetzen: {why}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The hand lacks joints that OpenXR requires: {joints}.</source>
+      <translation>Der Hand fehlen Gelenke, die OpenXR verlangt: {joints}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} cannot be created: another program removes it repeatedly.</source>
+      <translation>{path} kann nicht angelegt werden: Ein anderes Programm löscht es immer wieder.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The OpenXR layer requires Linux or Windows.</source>
+      <translation>Die OpenXR-Schicht braucht Linux oder Windows.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} belongs to another user.</source>
+      <translation>{path} gehört einer anderen Person.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Another Glovetrack already sends its hand to OpenXR.</source>
+      <translation>Ein anderes Glovetrack sendet seine Hand schon an OpenXR.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>OpenXR has only one {side:word} hand.</source>
+      <translation>OpenXR hat nur eine Hand {side:word}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The OpenXR layer is not part of this installation. In a checkout, run make openxr-layer.</source>
+      <translation>Die OpenXR-Schicht gehört nicht zu dieser Installation. Führen Sie in einem Checkout make openxr-layer aus.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The OpenXR layer cannot be registered: {why}.</source>
+      <translation>Die OpenXR-Schicht kann nicht registriert werden: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The OpenXR layer cannot be unregistered: {why}.</source>
+      <translation>Die OpenXR-Schicht kann nicht abgemeldet werden: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The OSC addresses are {addresses}.</source>
+      <translation>Die OSC-Adressen sind {addresses}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{address} has {expected} values, not {found}.</source>
+      <translation>{address} hat {expected} Werte, nicht {found}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>This is not an OSC message: {why}.</source>
+      <translation>Das ist keine OSC-Nachricht: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>An OSC message was expected: {why}.</source>
+      <translation>Erwartet wurde eine OSC-Nachricht: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>an OSC address begins with a slash</source>
+      <translation>eine OSC-Adresse beginnt mit einem Schrägstrich</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>the OSC type tags are missing</source>
+      <translation>die OSC-Typkennungen fehlen</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>the OSC bundle is truncated</source>
+      <translation>das OSC-Bündel ist abgeschnitten</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>the OSC bundle contains more than one message</source>
+      <translation>das OSC-Bündel enthält mehr als eine Nachricht</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>the OSC type "{tag}" is unknown, or its value is truncated</source>
+      <translation>der OSC-Typ „{tag}“ ist unbekannt, oder sein Wert ist abgeschnitten</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>an OSC text has no end</source>
+      <translation>ein OSC-Text hat kein Ende</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>an OSC text is not UTF-8</source>
+      <translation>ein OSC-Text ist nicht UTF-8</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>the OSC bundles are nested too deeply</source>
+      <translation>die OSC-Bündel sind zu tief verschachtelt</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>a pose requires {count} numbers</source>
+      <translation>eine Lage braucht {count} Zahlen</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>a pose contains numbers that are not finite</source>
+      <translation>eine Lage enthält Zahlen, die nicht endlich sind</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>a quaternion is not of unit length</source>
+      <translation>ein Quaternion hat nicht die Länge 1</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />

@@ -52,7 +52,7 @@ class AlignmentParams:
     recalibrate_px: float = 1.0  # offset from which on the rig should be calibrated again
 
 
-@record("rig_alignment", shapes={"r": "3", "P": "3 3 | 0 0"})
+@record("rig_alignment", shapes={"r": "3", "P": "3 3 | 0 0", "applied": "3"})
 @dataclass(eq=False)
 class RigAlignmentSavedState:
     """All of it that changes: rotation r (3,) rad with its covariance P (3, 3), when (s) an image

@@ -221,18 +221,17 @@ def _verify(args: argparse.Namespace) -> int:
 
 def _verdict(path: Path, findings: list[FileFinding]) -> tuple[dict[str, Any], list[str]]:
     """For programs and for people."""
-    from dataclasses import asdict
-
     from tracker.session.verify import is_ok
 
     ok = is_ok(findings)
     lines = [f"{f.severity}: {f.where}: {f.what}" for f in findings]
     lines.append(f"{path} is {'intact' if ok else 'damaged'}.")
-    return {"ok": ok, "findings": [asdict(f) for f in findings]}, lines
+    return {"ok": ok, "findings": [f.to_json() for f in findings]}, lines
 
 
 def _verify_many(paths: list[Path]) -> tuple[dict[str, Any], list[str]]:
     """In parallel, on all cores; a file that is not a session counts as damaged."""
+    from tracker.base.notices import plain
     from tracker.base.workers import WorkItem, run_all, some_workers, usable_cores
     from tracker.session.verify import FileFinding, verify_one
 
@@ -241,7 +240,9 @@ def _verify_many(paths: list[Path]) -> tuple[dict[str, Any], list[str]]:
         outcomes = run_all(tasks, workers, lambda share: None)
     files, lines = {}, []
     for path, outcome in zip(paths, outcomes, strict=True):
-        findings = [FileFinding("error", outcome.error, "file")] if outcome.error else outcome.value
+        findings = (
+            [FileFinding("error", plain(outcome.error), "file")] if outcome.error else outcome.value
+        )
         files[str(path)], verdict = _verdict(path, findings)
         lines += verdict
     return {"ok": all(f["ok"] for f in files.values()), "files": files}, lines
@@ -261,7 +262,9 @@ def _recover(args: argparse.Namespace) -> int:
         "file": str(saved.path),
         "messages": saved.messages,
         "duration_s": duration,
-        "damage": [{"offset": d.offset, "what": d.what} for d in saved.damage],
+        "damage": [
+            {"offset": d.offset, "what": str(d.what), "code": d.what.code} for d in saved.damage
+        ],
         "left_out": saved.left_out,
     }
     finish(args, result, lines, [args.file, saved.path])

@@ -74,7 +74,7 @@ class _Copy:
             try:
                 messages = self.source.messages_in(span)
             except FileError as error:
-                self.damage.append(Damage(span.offset, str(error)))
+                self.damage.append(Damage(span.offset, error.notice))
                 continue
             for m in sound(messages, self.source.left_out):
                 self.messages += 1
@@ -99,4 +99,4 @@ class _Copy:
         except DiskError:
             raise
         except FileError as error:
-            self.damage.append(Damage(offset, str(error)))
+            self.damage.append(Damage(offset, error.notice))

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from tracker.base.damage import DAMAGE, gather
 from tracker.base.errors import GlovetrackError
+from tracker.base.notices import Notice, failure, notice, plain, warning
 from tracker.messages import EYES, Validity
 from tracker.session import description
 from tracker.session.edits import NAME, lines, masks
@@ -36,9 +37,15 @@ class FileFinding:
     """
 
     severity: str
-    what: str
+    what: Notice
     where: str
     silence: float = 0.0
+
+    def to_json(self) -> dict[str, object]:
+        return {
+            "severity": self.severity, "what": str(self.what), "code": self.what.code,
+            "where": self.where, "silence": self.silence,
+        }  # fmt: skip
 
 
 @dataclass
@@ -75,8 +82,8 @@ def verify(path: Path, progress: Callable[[float], None] = lambda share: None) -
         out += _edits(reader)
         log_times = {topic: track.log_times for topic, track in tracks.items()}
         for device, seconds in silences(log_times, reader.span_ns).items():
-            text = f"no messages for {seconds:.1f} s"
-            out.append(FileFinding("warning", text, device, seconds))
+            what = warning("check.silent", silent_s=seconds)
+            out.append(FileFinding("warning", what, device, seconds))
         return out
 
 
@@ -97,14 +104,12 @@ def _container(reader: SessionReader) -> list[FileFinding]:
         damage += index_damage(reader.path, contents)
     out = [FileFinding("error", d.what, f"byte {d.offset}") for d in damage]
     if not contents.finished:
-        text = "the recording was never finished; `glovetrack recover` makes a whole file of it"
-        out.append(FileFinding("error", text, "file"))
+        out.append(FileFinding("error", failure("check.unfinished"), "file"))
     if contents.profile != "ros2":
-        out.append(
-            FileFinding("warning", f"the profile is {contents.profile!r}, not 'ros2'", "file")
-        )
+        what = warning("check.profile", profile=contents.profile)
+        out.append(FileFinding("warning", what, "file"))
     if not reader.metadata:
-        out.append(FileFinding("note", "not recorded by Glovetrack", "file"))
+        out.append(FileFinding("note", notice("check.foreign"), "file"))
     return out
 
 
@@ -117,14 +122,13 @@ def _description(reader: SessionReader) -> list[FileFinding]:
         try:
             reader.attachment(name)
         except GlovetrackError as error:
-            return [FileFinding("error", str(error), name)]
+            return [FileFinding("error", error.notice, name)]
     try:
         info = reader.info
     except GlovetrackError as error:
-        return [FileFinding("error", str(error), "attachments")]
+        return [FileFinding("error", error.notice, "attachments")]
     if info.rig is None and any(t.startswith("/camera/") for t in reader.topic_names):
-        what = "the stereo calibration or its position is missing"
-        return [FileFinding("warning", what, "camera")]
+        return [FileFinding("warning", warning("check.no_rig"), "camera")]
     return []
 
 
@@ -139,7 +143,7 @@ def _read_all(
         try:
             messages = reader.source.messages_in(spans[i])
         except GlovetrackError as error:
-            out.append(FileFinding("error", str(error), f"byte {spans[i].offset}"))
+            out.append(FileFinding("error", error.notice, f"byte {spans[i].offset}"))
             continue
         for m in messages:
             track = tracks.setdefault(m.topic, _Track())
@@ -202,34 +206,27 @@ def _judge_delay(track: _Track, step: int, delay: int) -> None:
 def _judge(topic: str, track: _Track, start_ns: int) -> list[FileFinding]:
     out: list[FileFinding] = []
     if track.damaged:
-        out.append(FileFinding("error", _damage_text(track.damaged, start_ns), topic))
+        out.append(FileFinding("error", _damaged(track.damaged, start_ns), topic))
     if track.repeated:
-        text = f"{track.repeated} messages are there more than once; tracking uses them once"
-        out.append(FileFinding("warning", text, topic))
+        out.append(FileFinding("warning", warning("check.repeated", count=track.repeated), topic))
     if track.backward:
-        out.append(FileFinding("warning", f"{track.backward} stamps run backward", topic))
+        out.append(FileFinding("warning", warning("check.backward", count=track.backward), topic))
     if track.jumps:
-        out.append(FileFinding("warning", f"the clock jumps {_times(track.jumps)}", topic))
+        out.append(FileFinding("warning", warning("check.jumps", count=track.jumps), topic))
     if track.late:
-        late = f"{max(track.late) / 1e9:.1f} s late, {_times(len(track.late))}"
-        text = f"messages arrived up to {late}: the computer was overloaded"
-        out.append(FileFinding("warning", text, topic))
+        late = warning("check.late", late_s=max(track.late) / 1e9, count=len(track.late))
+        out.append(FileFinding("warning", late, topic))
     if topic.startswith(("/glove/", "/camera/")) and len(track.steps) > 10:
         out += _gaps(topic, track)
     return out
 
 
-def _times(n: int) -> str:
-    return "once" if n == 1 else f"{n} times"
-
-
-def _damage_text(log_times: list[int], start_ns: int) -> str:
-    """Returns the number of damaged messages, and the time of the first (s from the start)."""
+def _damaged(log_times: list[int], start_ns: int) -> Notice:
+    """Returns the number of damaged messages, and the times of the first (s from the start)."""
     after = [max(t - start_ns, 0) / 1e9 for t in sorted(log_times)]
     first = ", ".join(f"{s:.2f} s" for s in after[:MOST_NAMED])
-    more = ", …" if len(after) > MOST_NAMED else ""
-    count = "1 message is" if len(after) == 1 else f"{len(after)} messages are"
-    return f"{count} damaged: at {first}{more} after the start"
+    at = f"{first}, …" if len(after) > MOST_NAMED else first
+    return failure("check.damaged_messages", count=len(after), at=at)
 
 
 def _gaps(topic: str, track: _Track) -> list[FileFinding]:
@@ -239,21 +236,20 @@ def _gaps(topic: str, track: _Track) -> list[FileFinding]:
         return []
     longest, at = max(gaps)
     after = (at - track.steps[0][1]) / 1e9
-    text = f"{len(gaps)} gaps, the longest {longest / 1e9:.3f} s after {after:.1f} s"
-    return [FileFinding("warning", text, topic)]
+    what = warning("check.gaps", count=len(gaps), longest_s=longest / 1e9, after_s=after)
+    return [FileFinding("warning", what, topic)]
 
 
 def _edits(reader: SessionReader) -> list[FileFinding]:
     """What was interpolated, and whether the file calls any of it measured."""
     try:
-        found = [FileFinding("note", line, NAME) for line in lines(reader.edits)]
+        found = [FileFinding("note", plain(line), NAME) for line in lines(reader.edits)]
         sides = {f.side for edit in reader.edits for f in edit.filled}
         wrong = sum(_called_measured(reader.path, side) for side in sorted(sides))
     except GlovetrackError as error:
-        return [FileFinding("error", str(error), NAME)]
+        return [FileFinding("error", error.notice, NAME)]
     if wrong:
-        text = f"{wrong} interpolated positions are marked as measured"
-        found.append(FileFinding("error", text, NAME))
+        found.append(FileFinding("error", failure("check.interpolated", count=wrong), NAME))
     return found
 
 
@@ -275,8 +271,9 @@ def _missing(reader: SessionReader, tracks: dict[str, _Track]) -> list[FileFindi
     if tracked_only:
         return []
     wanted = [topics.imu(hand.side, n) for hand in info.hands for n in hand.glove.imu_names]
-    out = [FileFinding("warning", "no message of this IMU", t) for t in wanted if t not in tracks]
+    missing = (t for t in wanted if t not in tracks)
+    out = [FileFinding("warning", warning("check.no_imu"), t) for t in missing]
     seen = any(f(c) in tracks for c in EYES for f in (topics.image, topics.blobs))
     if not seen:
-        out.append(FileFinding("warning", "neither images nor blobs of a camera", "/camera"))
+        out.append(FileFinding("warning", warning("check.no_camera"), "/camera"))
     return out

@@ -178,7 +178,7 @@ def test_a_failing_disk_is_reported_alike_and_leaves_complete_chunks(
     assert needs_recovery(path)
     saved = recover(path)
     assert saved.messages > 100
-    assert all("breaks off" in d.what for d in saved.damage)
+    assert all(d.what.code == "check.breaks_off" for d in saved.damage)
 
 
 def test_after_a_full_disk_the_same_process_records_elsewhere(

@@ -11,6 +11,7 @@ from pathlib import Path
 from mcap.opcode import Opcode
 
 from tracker.base.errors import FileError
+from tracker.base.notices import failure
 from tracker.session.mcap.chunks import MESSAGE
 from tracker.session.mcap.index import Contents, read_contents, span_records, summary_start
 from tracker.session.mcap.records import Damage, RecordFile
@@ -34,11 +35,11 @@ def index_damage(path: Path, contents: Contents) -> list[Damage]:
             return []
         at = start - _DATA_END
         if file.record(at) != (Opcode.DATA_END, 4):
-            return [Damage(at, "the data section does not end where the summary begins")]
+            return [Damage(at, failure("check.data_end"))]
         (crc,) = struct.unpack("<I", file.at(at + 9, 4))
         if crc:
             whole = crc == _checksum(file, at)
-            return [] if whole else [Damage(0, "the checksum of the data section is wrong")]
+            return [] if whole else [Damage(0, failure("check.checksum"))]
         return _compared(file, contents)
     finally:
         file.close()
@@ -60,8 +61,8 @@ def _compared(file: RecordFile, contents: Contents) -> list[Damage]:
         ("channels", _fields(contents.channels), _fields(found.channels)),
         ("schemas", _fields(contents.schemas), _fields(found.schemas)),
     )
-    text = "the summary's {} are not those of the file"
-    out = [Damage(0, text.format(name)) for name, indexed, found in pairs if indexed != found]
+    differ = [name for name, indexed, found in pairs if indexed != found]
+    out = [Damage(0, failure("check.summary_differs", records=name)) for name in differ]
     for span in _all(contents):
         out += _message_index_damage(file, span)
     return [*found.damage, *out]
@@ -84,7 +85,7 @@ def _message_index_damage(file: RecordFile, span: Span) -> list[Damage]:
     except (FileError, struct.error):
         return []  # a damaged chunk is spoken of already
     if named and named != there:
-        return [Damage(span.offset, "the index of its messages is not that of the chunk")]
+        return [Damage(span.offset, failure("check.message_index"))]
     return []
 
 

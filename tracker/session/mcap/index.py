@@ -18,7 +18,7 @@ from mcap.opcode import Opcode
 from mcap.records import Channel, Header, Schema
 
 from tracker.base.errors import DataError, FileError
-from tracker.base.notices import notice
+from tracker.base.notices import failure, notice
 from tracker.session.mcap.chunks import MESSAGE, message_records, records, unpacked
 from tracker.session.mcap.records import BAD_RECORD, LATEST, LIMIT, MAGIC, Damage, RecordFile
 from tracker.session.mcap.spans import LooseMessages, Span, Spans
@@ -68,7 +68,7 @@ def read_contents(file: RecordFile, scan: bool = False) -> Contents:
         if not scan and _read_summary(file, contents):
             return contents
     except BAD_RECORD:
-        damage = [Damage(summary_start(file), "the summary is damaged")]
+        damage = [Damage(summary_start(file), failure("check.summary_damaged"))]
     contents = Contents(finished=contents.finished or _footer(file) is not None, damage=damage)
     _Scan(file, contents).walk()
     return contents
@@ -170,7 +170,7 @@ class _Scan:
             at += 9 + length
         self._loose.flush()
         if opcode != Opcode.DATA_END:
-            self._contents.damage.append(Damage(at, "the file breaks off here"))
+            self._contents.damage.append(Damage(at, failure("check.breaks_off")))
 
     def _visit(self, opcode: int, at: int, length: int) -> None:
         c = self._contents
@@ -189,7 +189,7 @@ class _Scan:
             try:
                 c.define(opcode, self._file.body(at, length))
             except BAD_RECORD:
-                c.damage.append(Damage(at, "a definition is damaged"))
+                c.damage.append(Damage(at, failure("check.definition")))
 
     def _visit_chunk(self, at: int, length: int) -> None:
         """Note a chunk; it is opened only if it speaks of channels that are still unknown. If it
@@ -197,11 +197,11 @@ class _Scan:
         chunk and begin with its messages in a later one."""
         c = self._contents
         if length < _CHUNK.size:
-            c.damage.append(Damage(at, "a chunk is too short"))
+            c.damage.append(Damage(at, failure("check.short_chunk")))
             return
         start, end, _, _ = _CHUNK.unpack(self._file.at(at + 9, _CHUNK.size))
         if end > LATEST:
-            c.damage.append(Damage(at, "a chunk has a log time in the far future"))
+            c.damage.append(Damage(at, failure("check.future_chunk")))
             return
         ids = self._indexed_channels(at + 9 + length)
         span = Span(start, end, at, 9 + length, ids or None)
@@ -211,7 +211,7 @@ class _Scan:
             try:
                 self._define_from(span)
             except (FileError, *BAD_RECORD) as error:
-                c.damage.append(Damage(at, f"a chunk cannot be read ({error})"))
+                c.damage.append(Damage(at, failure("check.chunk", why=str(error))))
                 return
             self._look_back_for(ids)
         c.spans.add(span)

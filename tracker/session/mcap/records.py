@@ -34,7 +34,7 @@ class Damage(NamedTuple):
     """Something wrong with the file's bytes."""
 
     offset: int
-    what: str
+    what: Notice
 
 
 class RecordFile:
