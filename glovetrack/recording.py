@@ -63,7 +63,7 @@ class Recording(RecordedData):
 
     @property
     def duration(self) -> float:
-        """Seconds from the beginning to the end; of a part its own."""
+        """Seconds from the beginning to the end of the recording, or of this part of it."""
         return self._file.duration
 
     @property

@@ -72,7 +72,7 @@ class SessionFile:
 
     @property
     def duration(self) -> float:
-        """Seconds from the beginning to the end; of a part its own."""
+        """Seconds from the beginning to the end of the recording, or of this part of it."""
         if self.window is None:
             return self.reader.duration
         start, stop = self.window

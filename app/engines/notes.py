@@ -75,7 +75,7 @@ class Notes(QObject):
             self.changed.emit()
 
     def change(self, number: int, text: str) -> None:
-        """Change the text of a note, not its time; nothing if it is deleted."""
+        """Change the text of a note but not its time. Does nothing if the note was deleted."""
         note = self.current.get(number)
         if note is None or note.text == text:
             return

@@ -59,7 +59,10 @@ def disk_error(path: Path | str, error: OSError) -> DiskError:
 
 
 def check_regular(path: Path) -> None:
-    """Raises FileError for a folder, and for a pipe or a device, which may not end; OSError."""
+    """Raises FileError for anything but a file: a folder, or a pipe or device, which may never end.
+
+    Raises OSError if it cannot be queried.
+    """
     if not stat.S_ISREG(path.stat().st_mode):
         raise FileError(notice("file.not_regular", path=path))
 

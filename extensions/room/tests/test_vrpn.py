@@ -1,4 +1,4 @@
-"""Poses from a VRPN server: one written from the protocol's format, and VRPN's own where it is.
+"""Poses from a VRPN server: a fake one, and VRPN's own where it is installed.
 
 ``vrpn_server`` is in no package index. Built from vrpn/vrpn and on the PATH, or named by the
 environment variable VRPN_SERVER, it is the server of the last test.
