@@ -112,8 +112,8 @@ def moved(info: SessionInfo, by: float) -> StereoRig:
 
 def test_a_camera_that_is_moved_while_recording(tmp_path: Path) -> None:
     """It is calibrated again halfway, 5 cm to the side: only the rig shows that."""
-    sim, info = build(SimulateOptions(seed=6, duration=4.0, fps=30, images=False))
-    lateral = Simulation(sim.hand, sim.glove, sim.motion, 6, fps=30, rig=moved(info, 0.05))
+    sim, info = build(SimulateOptions(seed=3, duration=4.0, fps=30, images=False))
+    lateral = Simulation(sim.hand, sim.glove, sim.motion, 3, fps=30, rig=moved(info, 0.05))
     changed, silent = tmp_path / "changed.mcap", tmp_path / "silent.mcap"
     for path in (changed, silent):
         with SessionRecorder(path, info) as recorder:

@@ -2,7 +2,7 @@
 
 Both rectified images show a marker in the same row. If the right camera has turned by a small
 r = (r_x, r_y, r_z) about its rectified axes, a marker that it shows at (x, y), in focal lengths
-from the principal point, is too low there by
+from the principal point, is too low there by (docs/chain.md, eq. 69)
 
     e = f_y ( (1 + y²) r_x - x y r_y - x r_z )
 
