@@ -293,16 +293,16 @@ def test_images_can_be_exchanged(store, dialog, tmp_path):
 
 def test_the_dialog_shows_images_only_while_they_arrive(window, dialog, qtbot):
     left, right = dialog.images
-    assert left._image is None and dialog.arriving.text() == ""
+    assert left._array is None and dialog.arriving.text() == ""
     window.host.adopt(scripted_setup(ScriptedEngine()))
     frame = window.host.snapshot().frame
-    qtbot.waitUntil(lambda: left._image is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: left._array is not None, timeout=10_000)
     assert (left._array == frame.left).all() and (right._array == frame.right).all()
     height, width = frame.left.shape[:2]
     assert dialog.arriving.text().startswith(f"Receiving {width} × {height} px")
     assert dialog.arriving.text().endswith("(simulated camera)")
     window.host.end()
-    qtbot.waitUntil(lambda: left._image is None, timeout=10_000)
+    qtbot.waitUntil(lambda: left._array is None, timeout=10_000)
 
 
 def test_a_missing_camera_is_reported():

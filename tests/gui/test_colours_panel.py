@@ -197,9 +197,9 @@ def test_a_fit_corrects_a_wrong_hue_and_is_one_undo_step(colours, engine, qtbot,
     qtbot.waitUntil(lambda: colours.ranges.words.text().startswith("Fitted"), timeout=30_000)
     assert engine.profiles[-1] == colours.tuning.profile != spoilt
     default, fitted = Detector(models()[2]), Detector(colours.tuning.profile)
-    for frame in (5, 60, 120):
-        image = frame_and_blobs(frame)[0].left
-        assert len(fitted.detect(image)[0]) >= 0.9 * len(default.detect(image)[0])
+    images = [frame_and_blobs(frame)[0].left for frame in (5, 60, 120)]
+    found, usual = (sum(len(d.detect(i)[0]) for i in images) for d in (fitted, default))
+    assert found >= 0.85 * usual  # from one image, without markers that are only visible later
     colours.undo()
     assert colours.tuning.profile == spoilt
 
