@@ -278,7 +278,8 @@ def test_learned_parameters_are_reported_as_text_and_figures(guided, clock, engi
     )
     assert after - before == pytest.approx(20.0, abs=0.11)  # one decimal of each
     p = ChainParams().synergy
-    bent = np.hypot(p.ratio * 90.0, p.offset_deg)  # standard deviation between people in a fist
+    # The standard deviation between people in a fist, from where they agree best.
+    bent = np.hypot(p.ratio * (90.0 - p.middle_deg), p.offset_deg)
     assert sd_before == pytest.approx(bent, abs=0.06)
     assert sd_after == pytest.approx(bent / 2, abs=0.06)
     assert table.item(row, 3).text() == "▲ +20.0°"
