@@ -17,15 +17,20 @@ from tracker.simulation.two_hands import GlovedHand, TwoHandsSimulation
 GLOVES = {"left": "vist-small-left", "right": "vist-small"}
 
 
+ENOUGH = 4.2  # s; this pair is recognised after 3.6 s, others after 3.7 to 6.5 s
+
+
 @pytest.mark.parametrize("exchanged", [True, False])
 def test_exchanged_gloves_are_reported_once(exchanged: bool) -> None:
     dressed = {side: GlovedHand(*library.load(name, "")) for side, name in GLOVES.items()}
-    sim = TwoHandsSimulation(dressed, 2, 4.5, 15.0)  # it takes 3.6 s; 3.7 to 6.5 s for others
+    sim = TwoHandsSimulation(dressed, 2, 8.0, 15.0)
     make = {side: partial(Pipeline, *dressed[side], sim.rig) for side in SIDES}
     hands, reported = Hands(make), []
     watch = ExchangeWatch(hands, patience=0.3)
     taken_for = dict(zip(SIDES, reversed(SIDES) if exchanged else SIDES, strict=True))
     for side, message in sim.messages():
+        if message.t > ENOUGH:
+            break
         if isinstance(message, BlobFrame):
             hands.feed_frame(message)
             watch.frame(message)

@@ -164,9 +164,9 @@ def tracked(
 
 
 def measured_sd(estimate: Estimate) -> float:
-    """m, median over the measured keypoints."""
-    measured = estimate.keypoint_state == Validity.MEASURED
-    return float(np.median(estimate.keypoint_sd[measured]))
+    """m, median over the measured keypoints; infinite if there are none."""
+    measured = estimate.keypoint_sd[estimate.keypoint_state == Validity.MEASURED]
+    return float(np.median(measured)) if len(measured) else float("inf")
 
 
 def test_images_of_two_sizes_are_tracked_live_as_a_pair(hand, glove, plugin) -> None:
