@@ -19,6 +19,7 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -39,7 +40,7 @@ if TYPE_CHECKING:
     from app.window.main_window import MainWindow
 
 REFRESHES = 60
-TURN_S = 0.02  # between refreshes, for new data to arrive
+TURN_S = 0.1  # s that new data are waited for at most
 LOOPS = 100_000
 REST = "other"
 """Painting that belongs to no panel, the status bar's and the frame's."""
@@ -123,11 +124,13 @@ def paint_profile(choice: DemoChoice, refreshes: int, folder: str | Path) -> Pai
 
 def measure_panels(window: MainWindow, hands: str, refreshes: int) -> PaintProfile:
     """Refresh and paint each visible panel of a window, ``refreshes`` times."""
+    from app.window.headless_report import wait_until
+
     window.ticker.stop()
-    spent: dict[str, list[float]] = {}
+    spent, view = dict[str, list[float]](), None
     with _unlocked() as unlocked:
         for _ in range(refreshes):
-            time.sleep(TURN_S)
+            wait_until(partial(_has_changed, window, view), TURN_S)
             begun = time.thread_time()
             QCoreApplication.processEvents()
             _add(spent, REST, 0.0, time.thread_time() - begun, 0.0)
@@ -139,6 +142,12 @@ def measure_panels(window: MainWindow, hands: str, refreshes: int) -> PaintProfi
     costs = (PanelCost(name, *(1e3 * s / refreshes for s in sums)) for name, sums in spent.items())
     panels = tuple(sorted(costs, key=lambda cost: -cost.locked_ms))
     return PaintProfile(hands, refreshes, 1e3 * _loop_s(), panels)
+
+
+def _has_changed(window: MainWindow, seen: Snapshot | None) -> bool:
+    """Whether there is another image than in the view that was ``seen``."""
+    now = window.host.snapshot()
+    return seen is None or now is None or now.frame is not seen.frame
 
 
 def _unspared(view: Snapshot | None) -> Snapshot | None:

@@ -6,9 +6,9 @@ import argparse
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from extensions.evaluation.trials import add_trials, run_trials
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
-from tracker.base.terminal import add_json
 
 if TYPE_CHECKING:
     from extensions.evaluation.effects.trial import EffectsFigures
@@ -41,23 +41,13 @@ def add_effects(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--short", action="store_true", help="only without any effect and with all of them"
     )
-    parser.add_argument("--engine", default="chain", help="chain or vist")
-    parser.add_argument("--images", action="store_true", help="render images and detect blobs")
-    parser.add_argument(
-        "--fps", type=float, default=60.0, help="frame rate of the camera, Hz (default: 60)"
-    )
-    parser.add_argument("--seed", type=int, default=0, help="random seed of the first person")
-    parser.add_argument(
-        "--processes", type=int, default=1, metavar="N", help="worker processes (default: 1)"
-    )
-    add_json(parser)
+    add_trials(parser)
 
 
 def evaluate_effects(args: argparse.Namespace) -> int:
     """Track the people with each set of effects and print the figures."""
     from extensions.evaluation.effects.trial import EFFECTS, EffectsCase, run_trial
-    from tracker.base.terminal import check_json, finish, progress_line
-    from tracker.base.workers import WorkItem, run_all, some_workers
+    from tracker.base.terminal import check_json, finish
     from tracker.engine.kinds import ENGINES
 
     check_json(args)
@@ -66,18 +56,9 @@ def evaluate_effects(args: argparse.Namespace) -> int:
         raise ConfigError(notice("evaluation.effects_options"))
     names = [n for n in (SHORT if args.short else EFFECTS) if args.images or n != "flicker"]
     how = args.engine, args.images, args.fps, args.seconds
-    seeds = range(args.seed, args.seed + args.participants)
-    tasks = [
-        WorkItem(run_trial, (EffectsCase(EFFECTS[name], *how), seed))
-        for name in names
-        for seed in seeds
-    ]
-    with some_workers(max(1, min(args.processes, len(tasks)))) as workers:
-        outcomes = run_all(tasks, workers, progress_line(f"tracking {len(tasks)} trials"))
-    failed = [outcome.error for outcome in outcomes if outcome.error]
-    if failed:
-        raise ConfigError(failed[0])
-    rows = rows_of(names, [outcome.value for outcome in outcomes])
+    cases = [EffectsCase(EFFECTS[name], *how) for name in names]
+    figures = run_trials(run_trial, cases, args)
+    rows = rows_of(names, figures)
     found = summary(rows)
     finish(args, found, table(rows))
     return 0 if found["ok"] else 1

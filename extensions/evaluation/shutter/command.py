@@ -6,9 +6,9 @@ import argparse
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from extensions.evaluation.trials import add_trials, run_trials
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
-from tracker.base.terminal import add_json
 
 if TYPE_CHECKING:
     from extensions.evaluation.shutter.trial import ShutterFigures
@@ -66,23 +66,13 @@ def add_shutter(parser: argparse.ArgumentParser) -> None:
         metavar="DEG",
         help="peak rate of the camera in the last row, °/s (default: 200; 0: no such row)",
     )
-    parser.add_argument("--engine", default="chain", help="chain or vist")
-    parser.add_argument("--images", action="store_true", help="render images and detect blobs")
-    parser.add_argument(
-        "--fps", type=float, default=60.0, help="frame rate of the camera, Hz (default: 60)"
-    )
-    parser.add_argument("--seed", type=int, default=0, help="random seed of the first person")
-    parser.add_argument(
-        "--processes", type=int, default=1, metavar="N", help="worker processes (default: 1)"
-    )
-    add_json(parser)
+    add_trials(parser)
 
 
 def evaluate_shutter(args: argparse.Namespace) -> int:
     """Track the people in front of three cameras each and print the figures."""
     from extensions.evaluation.shutter.trial import ShutterCase, run_trial
-    from tracker.base.terminal import check_json, finish, progress_line
-    from tracker.base.workers import WorkItem, run_all, some_workers
+    from tracker.base.terminal import check_json, finish
     from tracker.engine.kinds import ENGINES
 
     check_json(args)
@@ -99,14 +89,8 @@ def evaluate_shutter(args: argparse.Namespace) -> int:
         for speed, turning in movements
         for readout, known in shutters
     ]
-    seeds = range(args.seed, args.seed + args.participants)
-    tasks = [WorkItem(run_trial, (case, seed)) for case in cases for seed in seeds]
-    with some_workers(max(1, min(args.processes, len(tasks)))) as workers:
-        outcomes = run_all(tasks, workers, progress_line(f"tracking {len(tasks)} trials"))
-    failed = [outcome.error for outcome in outcomes if outcome.error]
-    if failed:
-        raise ConfigError(failed[0])
-    rows = rows_of(movements, [outcome.value for outcome in outcomes], args.participants)
+    figures = run_trials(run_trial, cases, args)
+    rows = rows_of(movements, figures, args.participants)
     found = summary(rows)
     finish(args, found, table(rows))
     return 0 if found["ok"] else 1
