@@ -10,6 +10,7 @@ import pytest
 from tracker.cli import main
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import TrackOptions, track
+from tracker.session import rigs
 from tracker.session.compare import compare
 from tracker.session.export.mcap import copy_extras
 from tracker.session.mcap.container import Copier, McapOutput
@@ -51,3 +52,13 @@ def test_a_part_before_the_descriptions_is_tracked_again(
     assert len(described) > 3 and len(set(described)) == len(described), "each one once"
     assert main(["track", str(part), "-o", str(again)]) == 0
     assert compare(part, again)["identical"]
+
+
+def test_the_cameras_are_found_after_any_number_of_transforms(
+    late: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With two hands, 3 s before the descriptions contain more transforms than the limit."""
+    monkeypatch.setattr(rigs, "_LOOK_FOR_RIG", 50)
+    again = tmp_path / "again.mcap"
+    track(late, again)
+    assert compare(late, again)["identical"]

@@ -20,7 +20,7 @@ from tracker.vision.lenses import one_camera_rig
 from tracker.vision.rig import Camera, StereoRig
 
 _INFOS = {topics.camera_info(c): c for c in EYES}
-_LOOK_FOR_RIG = 500  # messages
+_LOOK_FOR_RIG = 500  # messages of a topic
 _BEFORE_CONTENT = 12  # bytes of CDR header and stamp, which differ where nothing else does
 
 
@@ -111,18 +111,34 @@ def _rig_of(cameras: dict[str, Camera], pose: CameraPose, count: int) -> StereoR
     return StereoRig(cameras["left"], cameras["right"], pose)
 
 
+def _take_first(source: McapInput, topic: str, start: _Start, pose: str) -> None:
+    """Take messages of a topic until one has the camera's ``pose``, a field of `_Start`.
+
+    Each topic is read by itself: a recording that began on an overloaded computer describes its
+    cameras after thousands of transforms of the hand.
+    """
+    for n, raw in enumerate(ordered(source, frozenset([topic]))):
+        start.take(raw, source.left_out)
+        if getattr(start, pose) is not None or n > _LOOK_FOR_RIG:
+            break
+
+
 def first_rig(source: McapInput) -> tuple[StereoRig | None, bool]:
     """The rig at the start, None where it is not all there, and whether its camera moves.
 
     Raises FileError where left and right are not of one calibration.
     """
     start, count, log_time = _Start(), camera_count(source), 0
-    wanted = frozenset([*_INFOS, topics.TF_STATIC, topics.TF, topics.CAMERA_POSE])
-    for n, raw in enumerate(ordered(source, wanted)):
+    for n, raw in enumerate(ordered(source, frozenset([*_INFOS, topics.TF_STATIC]))):
+        before = len(start.cameras), start.fixed is None
         start.take(raw, source.left_out)
-        log_time = raw.log_time
-        if (len(start.cameras) == count and start.first is not None) or n > _LOOK_FOR_RIG:
+        if (len(start.cameras), start.fixed is None) != before:
+            log_time = raw.log_time
+        if (len(start.cameras) == count and start.fixed is not None) or n > _LOOK_FOR_RIG:
             break
+    _take_first(source, topics.CAMERA_POSE, start, "exact")
+    if start.exact is None and start.fixed is None:
+        _take_first(source, topics.TF, start, "first")
     pose, moving = start.exact or start.fixed or start.first, start.fixed is None
     if len(start.cameras) < count or pose is None:
         return None, moving
