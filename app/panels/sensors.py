@@ -54,7 +54,8 @@ class SensorsPanel(Panel):
         self._signals: dict[str, list[Signal]] = {}  # by plot
         self._fingers: dict[str, list[int]] = {}
         self._angle_names: tuple[str, ...] = ()
-        self._shown: dict[str, list[Curve]] = {}  # s before now
+        self._shown: dict[str, list[Curve]] = {}  # by plot
+        self._now = 0.0  # s at 0 of the plots' axes
         self._pointed: float | None = None
         self._figures = ""
         self._setup: EngineSetup | None = None
@@ -84,6 +85,7 @@ class SensorsPanel(Panel):
         self.choice.activated.connect(self._remember)
         self.hold = QCheckBox(self.tr("Pause"))
         self.hold.setToolTip(self.tr("Pause the curves; tracking continues"))
+        self.hold.toggled.connect(self._hold)
         self._head = OneLine()
         self._head.add(self.choice)
         self._head.add(self.hold)
@@ -184,8 +186,8 @@ class SensorsPanel(Panel):
 
     def _toggle_curves(self) -> None:
         for plot in self.plots.values():
-            for curve, box in zip(plot.curves, self.toggles, strict=False):
-                curve.setVisible(box.isChecked())
+            for k in range(min(len(plot.curves), len(self.toggles))):
+                plot.show_curve(k, self.toggles[k].isChecked())
 
     # --- what it shows
 
@@ -219,11 +221,21 @@ class SensorsPanel(Panel):
         self._read()
 
     def _draw(self) -> None:
-        for name, chosen in self._signals.items():
-            curves = [self._curves.curve(signal.key) for signal in chosen]
-            now = max((float(t[-1]) for t, _ in curves if len(t)), default=0.0)
-            self._shown[name] = [(t - now, values.copy()) for t, values in curves]
-            self.plots[name].draw(self._shown[name])
+        self._shown = {
+            name: [self._curves.curve(signal.key) for signal in chosen]
+            for name, chosen in self._signals.items()
+        }
+        ends = (float(t[-1]) for curves in self._shown.values() for t, _ in curves if len(t))
+        self._now = max(ends, default=0.0)
+        for name, curves in self._shown.items():
+            self.plots[name].draw(curves, self._now)
+
+    def _hold(self, on: bool) -> None:
+        """Copy the displayed curves, since their buffers continue to change."""
+        if on:
+            for name, curves in self._shown.items():
+                self._shown[name] = [(t.copy(), values.copy()) for t, values in curves]
+                self.plots[name].draw(self._shown[name], self._now)
 
     # --- the cursor
 
@@ -242,7 +254,7 @@ class SensorsPanel(Panel):
         parts = []
         for kind, curves in self._shown.items():
             shown = [
-                f"{box.text()} {local(value_at(curve, self._pointed)):.3g}"
+                f"{box.text()} {local(value_at(curve, self._now + self._pointed)):.3g}"
                 for box, curve in zip(self.toggles, curves, strict=True)
                 if box.isChecked() and len(curve[0])
             ]

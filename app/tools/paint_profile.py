@@ -177,7 +177,8 @@ def _add(spent: dict[str, list[float]], name: str, *parts: float) -> None:
 @contextmanager
 def _unlocked() -> Iterator[list[float]]:
     """Counts the processor time (s) of the window's kernels, which release the lock."""
-    from app.widgets import image_canvas
+    from app.viewmodels import hand_skin
+    from app.widgets import curve_canvas, image_canvas
     from app.widgets.view3d.raster import scene
 
     total = [0.0]
@@ -192,7 +193,8 @@ def _unlocked() -> Iterator[list[float]]:
         return call
 
     kernels = [(image_canvas, "show_pixels"), (image_canvas, "draw_strokes")]
-    kernels += [(scene, "draw"), (scene, "draw_outline")]
+    kernels += [(curve_canvas, "visible_spans"), (curve_canvas, "draw_curves")]
+    kernels += [(scene, "draw"), (scene, "draw_outline"), (hand_skin, "posed")]
     before = [getattr(module, name) for module, name in kernels]
     for (module, name), function in zip(kernels, before, strict=True):
         setattr(module, name, counted(function))

@@ -1,7 +1,7 @@
 """Curves over time with a cursor and a replay position.
 
-For speed, pens are one pixel wide, axes are redrawn only when they change and curves have no more
-points than the screen can show: wider pens take five times as long.
+Curves are composed by compiled code (`app.widgets.curve_canvas`) over an image of the axes, which
+pyqtgraph draws only when they change.
 """
 
 from __future__ import annotations
@@ -12,40 +12,13 @@ from typing import NamedTuple
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QFontMetricsF, QPainter, QPainterPath, QResizeEvent
-from PySide6.QtWidgets import QGraphicsItem, QVBoxLayout, QWidget
+from PySide6.QtGui import QFontMetricsF, QResizeEvent, QShowEvent
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
+from app.widgets.curve_canvas import CurveCanvas
 from tracker.messages import Array
 
 MARGIN = 0.05  # relative to the range, above and below curves
-LEAST_COLUMNS = 100
-"""px, assumed minimum width of a plot before it has a size."""
-
-
-WORTH = 4
-"""Points per column from which on a curve is decimated to two points per column."""
-
-
-def thinned(t: Array, values: Array, begin: float, end: float, columns: int) -> tuple[Array, Array]:
-    """The part of t (n,), increasing, and values (n,) between ``begin`` and ``end``, with a
-    neighbour on either side; decimated to the minimum and maximum in each of ``columns``.
-
-    Columns are aligned to multiples of their width, so that a scrolling curve keeps its shape. A
-    column with a NaN is NaN, which preserves interruptions.
-    """
-    first = max(0, int(np.searchsorted(t, begin)) - 1)
-    last = int(np.searchsorted(t, end, side="right")) + 1
-    t, values = t[first:last], values[first:last]
-    if len(t) <= WORTH * columns or end <= begin:
-        return t, values
-    width = (end - begin) / columns
-    edges = np.arange(np.floor(t[0] / width) + 1, np.floor(t[-1] / width) + 1) * width
-    starts = np.concatenate([[0], np.searchsorted(t, edges)])
-    starts = starts[np.diff(starts, append=len(t)) > 0]  # non-empty columns
-    out = np.empty((len(starts), 2))
-    out[:, 0] = np.minimum.reduceat(values, starts)
-    out[:, 1] = np.maximum.reduceat(values, starts)
-    return np.repeat(t[starts], 2), out.ravel()
 
 
 class CurveLook(NamedTuple):
@@ -58,42 +31,30 @@ class CurveLook(NamedTuple):
 
 
 class CurveItem(pg.PlotCurveItem):
-    """A curve with the size of its view. For pyqtgraph's own, the size follows from the data at
-    each change, which takes three times as long as drawing."""
+    """A curve's data and look; `CurveCanvas` draws it. ``box``: the view of its axis."""
 
-    _path: QPainterPath | None = None
+    def __init__(self, look: CurveLook, box: pg.ViewBox) -> None:
+        pen = pg.mkPen(look.colour, width=1, style=look.style)  # of the legend
+        super().__init__(pen=pen, name=look.name or None)
+        self.colour, self.style, self.box = look.colour, look.style, box
 
     def show_points(self, t: Array, values: Array) -> None:
         """t (n,), values (n,); NaN interrupts the line."""
-        self.xData, self.yData, self._path = t, values, None
-        self.update()
+        self.xData, self.yData = t, values
 
     def boundingRect(self) -> QRectF:
-        view = self.getViewBox()
-        return QRectF(view.viewRect()) if view is not None else QRectF()
+        return QRectF()
 
-    def paint(self, painter: QPainter, *_: object) -> None:
-        if self.xData is None or len(self.xData) < 2:
-            return
-        if self._path is None:
-            whole = np.isfinite(self.yData).all()
-            connect = "all" if whole else "finite"
-            self._path = pg.arrayToQPath(self.xData, self.yData, connect, finiteCheck=False)
-        painter.setPen(self.opts["pen"])
-        painter.drawPath(self._path)
-
-
-def keep_axes(plot: pg.PlotWidget, sides: Sequence[str] = ("left", "bottom")) -> None:
-    """Redraw the axes only when they change; they cost more than the curves."""
-    for side in sides:
-        plot.getAxis(side).setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)
+    def paint(self, *_: object) -> None:
+        """Nothing."""
 
 
 def span_of(values: Array) -> tuple[float, float] | None:
     """Axis range of the finite ``values``, with a margin; None without any."""
-    if not np.isfinite(values).any():
+    known = values[np.isfinite(values)]
+    if not len(known):
         return None
-    low, high = float(np.nanmin(values)), float(np.nanmax(values))
+    low, high = float(known.min()), float(known.max())
     margin = MARGIN * (high - low) or max(MARGIN * abs(high), 1e-3)
     return low - margin, high + margin
 
@@ -116,15 +77,16 @@ class CurvePlot(QWidget):
         self.plot.setMouseEnabled(x=False, y=False)
         self.plot.hideButtons()
         self.plot.showGrid(y=True, alpha=0.2)
-        keep_axes(self.plot)
         self.plot.getAxis("bottom").enableAutoSIPrefix(False)
         self.curves: list[CurveItem] = []
         self._looks: Sequence[CurveLook] = ()
-        self._seen: list[Array] = []  # drawn values of each curve
+        self._canvas = CurveCanvas(self.plot)
+        self._drawn: tuple[Sequence[tuple[Array, Array]], float] = (), 0.0
         self._cursor, self.at = (pg.InfiniteLine(angle=90, movable=False) for _ in range(2))
         for line in (self._cursor, self.at):
             line.hide()
             self.plot.addItem(line, ignoreBounds=True)
+        self.plot.scene().changed.connect(self._scene_changed)
         self.plot.scene().sigMouseMoved.connect(self._moved)
         self.plot.scene().sigMouseClicked.connect(self._clicked)
         column = QVBoxLayout(self)
@@ -153,11 +115,12 @@ class CurvePlot(QWidget):
         """Replace all curves by an empty curve for each look."""
         for curve, look in zip(self.curves, self._looks, strict=True):
             self._place(look).removeItem(curve)
-        self._looks, self.curves = tuple(looks), []
+        self._looks, self.curves, self._drawn = tuple(looks), [], ((), 0.0)
+        self._canvas.hide()
         for look in looks:
-            pen = pg.mkPen(look.colour, width=1, style=look.style)
-            curve = CurveItem(pen=pen, name=look.name or None)
-            self._place(look).addItem(curve)
+            place = self._place(look)
+            curve = CurveItem(look, place if isinstance(place, pg.ViewBox) else place.vb)
+            place.addItem(curve)
             self.curves.append(curve)
 
     @property
@@ -172,13 +135,47 @@ class CurvePlot(QWidget):
     def draw(self, curves: Sequence[tuple[Array, Array]], now: float = 0.0) -> None:
         """t (n,) s and values (n,) of each curve; NaN interrupts a line. ``now`` (s) is at 0 of the
         axis; only the visible part is drawn."""
-        (begin, end), _ = self.plot.viewRange()
-        columns = max(LEAST_COLUMNS, int(self.plot.getPlotItem().vb.width()))
-        self._seen = []
         for curve, (t, values) in zip(self.curves, curves, strict=True):
-            t, values = thinned(t, values, begin + now, end + now, columns)
-            curve.show_points(t - now, values)
-            self._seen.append(values)
+            curve.show_points(t - now if now else t, values)
+        self._drawn = curves, now
+        self._fit_axes()
+        self._compose()
+
+    def _fit_axes(self) -> None:
+        """Adapt the axes to the curves before they are drawn."""
+
+    def _spans(self) -> Array:
+        """(n, 2): least and greatest value of the visible part of each curve, NaN without any."""
+        return self._canvas.spans(self.curves, *self._drawn)
+
+    def _fit(self, box: pg.ViewBox, wanted: tuple[float, float], padding: float = 0.0) -> None:
+        """Grow immediately, shrink late: redrawing an axis is the most expensive part."""
+        low, high = box.viewRange()[1]
+        size = wanted[1] - wanted[0]
+        inside = low <= wanted[0] and wanted[1] <= high
+        if not inside or high - low > 1.5 * size:
+            box.setYRange(*wanted, padding=padding)
+            self._canvas.is_stale = True
+
+    def _compose(self) -> None:
+        """Draw the curves over the plot's axes."""
+        if self._drawn[0]:
+            self._canvas.compose(self.curves, *self._drawn)
+
+    def _scene_changed(self) -> None:
+        """Axes, grid or a line have changed, or where they are."""
+        self._canvas.is_stale = True
+        if self.isVisible():
+            self._compose()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._compose()
+
+    def show_curve(self, index: int, on: bool) -> None:
+        """Show or hide a curve."""
+        self.curves[index].setVisible(on)
+        self._compose()
 
     def show_cursor(self, t: float | None) -> None:
         """Show a line at an instant; None hides it."""
@@ -222,16 +219,13 @@ class ScrollPlot(CurvePlot):
         if limits is not None:
             self.plot.setYRange(*limits, padding=0)
 
-    def draw(self, curves: Sequence[tuple[Array, Array]], now: float = 0.0) -> None:
-        """As for every plot; without limits the axis follows the visible curves."""
-        super().draw(curves, now)
-        shown = zip(self.curves, self._seen, strict=True)
-        seen = [values for curve, values in shown if curve.isVisible()]
-        found = span_of(np.concatenate(seen)) if self._limits is None and seen else None
+    def _fit_axes(self) -> None:
+        """Without limits the axis follows the visible curves."""
+        found = span_of(self._spans()) if self._limits is None and self.curves else None
         if found is not None:
             low, high = found
             room = max(0.0, 1.0 - MARGIN * (high - low))
-            self.plot.setYRange(low - room, high + room, padding=0)
+            self._fit(self.plot.getPlotItem().vb, (low - room, high + room))
 
 
 class TwoAxisPlot(CurvePlot):
@@ -269,7 +263,6 @@ class TwoAxisPlot(CurvePlot):
         self.plot.showAxis("right", bool(right))
         if right:
             self.plot.setLabel("right", right)
-            keep_axes(self.plot, ("right",))
         self._fit_right()
 
     def show_time(self, begin: float, end: float) -> None:
@@ -278,23 +271,12 @@ class TwoAxisPlot(CurvePlot):
         if abs(before[0] - begin) > 1e-6 or abs(before[1] - end) > 1e-6:
             self.plot.setXRange(begin, end, padding=0)
 
-    def draw(self, curves: Sequence[tuple[Array, Array]], now: float = 0.0) -> None:
-        """As for every plot; both axes are fitted to the visible part unless they are zoomed."""
-        super().draw(curves, now)
-        if not self.follows:
+    def _fit_axes(self) -> None:
+        """Both axes are fitted to the visible part unless they are zoomed."""
+        if not self.follows or not self.curves:
             return
-        for box, right in ((self.plot.getPlotItem().vb, False), (self.right, True)):
-            shown = zip(self._seen, self._looks, strict=True)
-            seen = [values for values, look in shown if look.right == right]
-            found = span_of(np.concatenate(seen)) if seen else None
+        spans = self._spans()
+        for box in (self.plot.getPlotItem().vb, self.right):
+            found = span_of(spans[[curve.box is box for curve in self.curves]])
             if found is not None:
-                _fit(box, found)
-
-
-def _fit(box: pg.ViewBox, wanted: tuple[float, float]) -> None:
-    """Grow immediately, shrink late: redrawing an axis is the most expensive part."""
-    low, high = box.viewRange()[1]
-    size = wanted[1] - wanted[0]
-    inside = low <= wanted[0] and wanted[1] <= high
-    if not inside or high - low > 1.5 * size:
-        box.setYRange(wanted[0], wanted[1], padding=0.05)
+                self._fit(box, found, padding=0.05)
