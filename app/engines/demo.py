@@ -10,12 +10,20 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from app.engines.demo_camera import DURATION, DemoChoice, demo_spec, start_camera
+from app.engines.demo_camera import (
+    DURATION,
+    FILES,
+    DemoChoice,
+    demo_spec,
+    glove_mark,
+    start_camera,
+)
 from app.engines.engine import CameraPart, EngineSetup, GlovePart, LivePart, seen_from_main
 from app.engines.protocols import ReferenceHand
 from app.engines.recording import recorder_maker
 from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
+from app.storage.own_gloves import own_name
 from app.words import tr
 from tracker.base.clock import ClockAnchor
 from tracker.base.errors import DeviceError
@@ -166,11 +174,17 @@ def _seen_from(
         camera=camera,
         profile=profile,
         close=close,
-        connection=GlovePart(device=glove.link),
+        connection=_connection(glove),
         simulated=True,
         listeners=hand.attach_listeners(glove.link.vibrate),
         missing="" if camera.present else alone,
     )
+
+
+def _connection(glove: DemoGlove) -> GlovePart:
+    file = FILES[glove.simulation.glove.side][1]
+    own = own_name(file, glove_mark(glove.simulation.seed))
+    return GlovePart(device=glove.link, file=file, own_file=own)
 
 
 @dataclass(frozen=True)

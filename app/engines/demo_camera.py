@@ -9,6 +9,7 @@ import os
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from app.storage.own_gloves import SIMULATED, own_or
 from tracker.base.registry import names_of
 from tracker.glove import library
 from tracker.simulation.shows import WORD
@@ -67,12 +68,14 @@ class DemoChoice:
 def demo_spec(seed: int = SEED, choice: DemoChoice | None = None) -> DemoSpec:
     """Returns the specification of the simulated wearers and the camera."""
     from tracker.simulation.demo import TABLE, DemoSpec, HandTexts  # deferred: the simulator
+    from tracker.simulation.two_hands import hand_seed  # deferred, too
 
     choice = choice or DemoChoice()
     sides = ("right", "left") if choice.hands == "both" else (choice.hands,)
+    seeds = {side: hand_seed(seed, side) if len(sides) > 1 else seed for side in sides}
     texts = [
-        HandTexts(library.text("hands", hand), library.text("gloves", glove))
-        for hand, glove in (FILES[side] for side in sides)
+        HandTexts(library.text("hands", hand), library.text("gloves", own_or(glove, mark)))
+        for (hand, glove), mark in ((FILES[side], glove_mark(own)) for side, own in seeds.items())
     ]
     desk = choice.has_desk(os.cpu_count() or 1)
     return DemoSpec(
@@ -87,6 +90,11 @@ def demo_spec(seed: int = SEED, choice: DemoChoice | None = None) -> DemoSpec:
         one_camera=choice.lenses != "both",
         table=0.0 if choice.uses_application else TABLE,
     )
+
+
+def glove_mark(seed: int) -> str:
+    """Mark of the simulated glove's own file: each seed has another glove."""
+    return SIMULATED if seed == SEED else f"{SIMULATED}-{seed}"
 
 
 def start_camera(seed: int = SEED, choice: DemoChoice | None = None, drawn: int = 0) -> DemoCamera:

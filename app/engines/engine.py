@@ -65,12 +65,18 @@ class CameraPart:
 
 @dataclass(frozen=True, eq=False)
 class GlovePart:
-    """The connection to a glove; ``device`` while it is open."""
+    """The connection to a glove; ``device`` while it is open.
+
+    ``file`` is the name of its glove file, ``own_file`` that of the copy with measured values of
+    this glove, which may be the same (`app.storage.own_gloves`); empty in a replay.
+    """
 
     present: bool = True
     number: int | None = None  # by which it is recognized
     firmware_advice: Notice | None = None  # about a newer firmware
     device: GloveDevice | None = None
+    file: str = ""
+    own_file: str = ""
 
 
 @dataclass(frozen=True, eq=False)

@@ -23,6 +23,7 @@ from app.engines.found_gloves import HandGlove, find_hand_gloves
 from app.engines.recording import recorder_maker
 from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
+from app.storage.own_gloves import UNNUMBERED, own_name
 from app.storage.settings import AppSettings
 from app.words import error_text, tr
 from tracker.base.clock import ClockAnchor
@@ -119,6 +120,15 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
         hand, link = tracker.hand(glove.side), links.get(glove.side)
         hello = glove.report.hello if glove.report else None
         firmware_advice = advice(hello.firmware) if hello else None
+        mark = UNNUMBERED if glove.glove_id is None else str(glove.glove_id)
+        connection = GlovePart(
+            link is not None,
+            glove.glove_id,
+            firmware_advice,
+            link,
+            glove.glove_name,
+            own_name(glove.glove_name, mark),
+        )
         return EngineSetup(
             name=found.name,
             engine=tracker,
@@ -128,7 +138,7 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
             camera=camera_part,
             profile=profile,
             close=recorders.close,
-            connection=GlovePart(link is not None, glove.glove_id, firmware_advice, link),
+            connection=connection,
             live=LivePart(tracker, hand, make_recorder),
             listeners=hand.attach_listeners(link.vibrate if link else None),
             missing=" ".join(found.missing),

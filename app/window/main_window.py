@@ -205,6 +205,7 @@ class MainWindow(QMainWindow):
         self.tasks.noted.connect(self.router.say)
         self.set_up.changed.connect(lambda: self.messages.no_longer(DEVICES))
         self.set_up.restart.connect(self.sources.open_devices)
+        self.set_up.reopen.connect(self.sources.reopen)
         self.set_up.changed.connect(self._show_set_up)
         self.sources.devices_asked.connect(self._show_set_up)
         self.layouts.chosen_early.connect(self._show_set_up_list)

@@ -38,6 +38,7 @@ class SetUpDialogs(QObject):
 
     error = Signal(str)
     restart = Signal()
+    reopen = Signal()  # the devices or the demo that are open, with changed files
     changed = Signal()  # what is stored of the devices
     learned = Signal()  # from guided poses, to be saved
     pose_reset_changed = Signal()  # its settings
@@ -157,6 +158,20 @@ class SetUpDialogs(QObject):
         dialog = GuidedDialog(self._host, setup, setup.live, self._store, scene, self._window)
         dialog.kept.connect(self.learned)
         self.show_dialog("guided", dialog)
+
+    def open_positions(self) -> None:
+        """Open the guided measurement of the axes of the glove's IMUs."""
+        setup = self._host.setup
+        if self._raise("imu_positions") or setup is None or not self._host.running:
+            return
+        if setup.live is None or not setup.connection.present:
+            return
+        from app.wizards.positions.dialog import PositionsDialog  # deferred: loads SciPy
+
+        scene = theme.colours(self._store.value.theme).scene
+        dialog = PositionsDialog(self._host, setup, self._store, self._tasks, scene, self._window)
+        dialog.saved.connect(self.reopen)
+        self.show_dialog("imu_positions", dialog)
 
     def open_pose_reset(self, user_of: Callable[[str], str]) -> None:
         """Key, countdown, sound and double tap; ``user_of`` names the command that uses a key."""

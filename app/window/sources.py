@@ -146,6 +146,12 @@ class Sources(QObject):
         if self._live is not None:
             self._live()
 
+    def reopen(self) -> None:
+        """Open the demo or the devices again, after a change of their files."""
+        setup = self._host.setup
+        if self._live is not None and setup is not None and setup.live is not None:
+            self._live()
+
     def choose_session(self, plan: RecordingPlan) -> None:
         """Ask for a file, beginning with the folder of recordings."""
         path, _ = QFileDialog.getOpenFileName(

@@ -121,6 +121,7 @@ def _set_up(on: Targets) -> list[Command]:
     menu = w.tr("&Set-up")
     return [
         Command("glove_setup", menu, w.tr("&Glove…"), on.set_up.open_glove, "Ctrl+Shift+G"),
+        Command("imu_positions", menu, w.tr("&IMU accuracy…"), on.set_up.open_positions),
         Command("firmware", menu, w.tr("Glove &firmware…"), on.set_up.open_firmware),
         Command(
             "both_hands",
@@ -313,6 +314,7 @@ def enable_commands(on: Targets, commands: Commands) -> None:
     opened = host.setup is not None
     tracks = host.setup is not None and host.setup.player is None
     guided = host.setup is not None and host.setup.live is not None
+    has_glove = host.setup is not None and host.setup.connection.present
     recording = host.recording.request is not None
     both = host.setup is not None and bool(host.setup.others)
     for key, able in (
@@ -325,6 +327,7 @@ def enable_commands(on: Targets, commands: Commands) -> None:
         ("pause", recording),
         ("pose_reset", on.pose_reset.available),
         ("guided", host.running and guided),
+        ("imu_positions", host.running and guided and has_glove),
         ("save_wearer", on.calibration.profiles.link.available),
         ("note", host.recording.is_possible),  # a replayed file is not modified
         ("live", on.sources.can_go_live),

@@ -4180,6 +4180,116 @@ change {}: {}</source>
       <translation>Position verloren. Letzte bekannte Position wird gezeigt.</translation>
     </message>
     <message>
+      <location filename="app/viewmodels/imu_positions.py" />
+      <source>Palm down, hand level</source>
+      <translation>Handfläche nach unten, Hand waagerecht</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/imu_positions.py" />
+      <source>Palm down, fingers raised by half a right angle</source>
+      <translation>Handfläche nach unten, Finger um 45° angehoben</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/imu_positions.py" />
+      <source>Fingers straight up</source>
+      <translation>Finger senkrecht nach oben</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/imu_positions.py" />
+      <source>Palm up, fingers raised by half a right angle</source>
+      <translation>Handfläche nach oben, Finger um 45° angehoben</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/imu_positions.py" />
+      <source>Palm up, hand level</source>
+      <translation>Handfläche nach oben, Hand waagerecht</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/imu_positions.py" />
+      <source>Hand on its edge, thumb up</source>
+      <translation>Hand auf der Kante, Daumen nach oben</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/imu_positions.py" />
+      <source>Hand on its edge, thumb up, fingers raised by half a right angle</source>
+      <translation>Hand auf der Kante, Daumen nach oben, Finger um 45° angehoben</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/imu_positions.py" />
+      <source>Palm down, thumb side raised by half a right angle</source>
+      <translation>Handfläche nach unten, Daumenseite um 45° angehoben</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/imu_positions.py" />
+      <source>Palm down, little finger side raised by half a right angle</source>
+      <translation>Handfläche nach unten, Kleinfingerseite um 45° angehoben</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/imu_positions.py" />
+      <source>Hand on its edge, thumb down</source>
+      <translation>Hand auf der Kante, Daumen nach unten</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/imu_positions.py" />
+      <source>Palm down, fingers lowered by half a right angle</source>
+      <translation>Handfläche nach unten, Finger um 45° gesenkt</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/imu_positions.py" />
+      <source>Fingers straight down</source>
+      <translation>Finger senkrecht nach unten</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/imu_positions.py" />
+      <source>Repeat the positions, and hold each one still for two seconds.</source>
+      <translation>Wiederholen Sie die Lagen, und halten Sie in jeder zwei Sekunden still.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/imu_positions.py" />
+      <source>Move there, then hold still</source>
+      <translation>Diese Lage einnehmen und stillhalten</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/imu_positions.py" />
+      <source>{} of {} IMUs measured</source>
+      <translation>{} von {} IMUs gemessen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/imu_positions.py" />
+      <source>Scale and axes deviate by up to {} %. With the corrections {} % remain (standard deviation). Save writes them to the glove file {} and uses them at once.</source>
+      <translation>Skalierung und Achsen weichen um bis zu {} % ab. Mit den Korrekturen bleiben {} % (Standardabweichung). „Speichern“ schreibt sie in die Handschuhdatei {} und wendet sie sofort an.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/imu_positions.py" />
+      <source>{} % ± {} %</source>
+      <translation>{} % ± {} %</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/imu_positions.py" />
+      <source>not accurate: it moved while at rest, or rested in too few positions</source>
+      <translation>ungenau: Bewegung in Ruhe oder zu wenige Lagen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/imu_positions.py" />
+      <source>Hold still</source>
+      <translation>Stillhalten</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/imu_positions.py" />
+      <source>Measured. Next position</source>
+      <translation>Gemessen. Nächste Lage</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/imu_positions.py" />
+      <source>At rest in another position</source>
+      <translation>Die Hand ruht in einer anderen Lage</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/imu_positions.py" />
+      <source>too few rests</source>
+      <translation>zu wenige Ruhelagen</translation>
+    </message>
+    <message>
       <location filename="app/viewmodels/library.py" />
       <source>being recorded</source>
       <translation>wird aufgenommen</translation>
@@ -6021,6 +6131,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
+      <source>&amp;IMU accuracy…</source>
+      <translation>&amp;IMU-Genauigkeit …</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
       <source>Glove &amp;firmware…</source>
       <translation>&amp;Firmware des Handschuhs…</translation>
     </message>
@@ -6918,6 +7033,71 @@ change {}: {}</source>
       <location filename="app/wizards/pose_reset.py" />
       <source>&amp;Countdown</source>
       <translation>&amp;Countdown</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions/dialog.py" />
+      <source>Evaluating the positions</source>
+      <translation>Lagen werden ausgewertet</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions/dialog.py" />
+      <source>Accelerometer</source>
+      <translation>Beschleunigungssensor</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions/dialog.py" />
+      <source>Gyroscope</source>
+      <translation>Gyroskop</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions/dialog.py" />
+      <source>&amp;Discard</source>
+      <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions/dialog.py" />
+      <source>Evaluating the positions…</source>
+      <translation>Lagen werden ausgewertet …</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions/dialog.py" />
+      <source>Beep when a position has been measured</source>
+      <translation>Signalton, wenn eine Lage gemessen ist</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions/dialog.py" />
+      <source>&amp;Finish</source>
+      <translation>&amp;Fertig</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions/dialog.py" />
+      <source>Evaluate the positions measured so far, at least six</source>
+      <translation>Die bisher gemessenen Lagen auswerten, mindestens sechs</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions/dialog.py" />
+      <source>Accuracy of the IMUs</source>
+      <translation>Genauigkeit der IMUs</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions/dialog.py" />
+      <source>The result cannot be used</source>
+      <translation>Das Ergebnis ist nicht verwendbar</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions/dialog.py" />
+      <source>Rest the glove in twelve positions</source>
+      <translation>Den Handschuh in zwölf Lagen ruhen lassen</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions/dialog.py" />
+      <source>Gravity shows how accurate scale and axes of the IMUs are. Wear the glove and support the hand on a table, or fasten the glove to a box. Hold each position still for two seconds. Any order is possible. It takes two minutes.</source>
+      <translation>Die Schwerkraft zeigt, wie genau Skalierung und Achsen der IMUs sind. Tragen Sie den Handschuh und stützen Sie die Hand auf einen Tisch, oder befestigen Sie den Handschuh an einer Schachtel. Halten Sie jede Lage zwei Sekunden lang ruhig. Die Reihenfolge ist beliebig. Es dauert zwei Minuten.</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions/stage.py" />
+      <source>The position of the hand</source>
+      <translation>Die Lage der Hand</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />

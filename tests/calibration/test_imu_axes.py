@@ -63,7 +63,7 @@ def found() -> tuple[RestFinder, ImuErrors]:
 
 
 def test_each_rest_and_position_is_found(found: tuple[RestFinder, ImuErrors]) -> None:
-    assert len(found[0].rests) == 12 and len(found[0].turns) == 11
+    assert len(found[0].rests) == 12 and len(found[0].turns()) == 11
     assert found[0].positions() == 12 and found[0].is_still
 
 

@@ -17,6 +17,7 @@ from tracker.glove import library
 from tracker.glove.files import parse_glove
 from tracker.hand.model import HandModel
 from tracker.messages import Array, ImuSample
+from tracker.offline.imu_values import warmth_of
 from tracker.session.description import describe
 from tracker.session.writer import SessionRecorder
 from tracker.simulation.imu_errors import ImuErrors, ImuParams
@@ -106,6 +107,14 @@ def test_axes_are_written_into_the_glove_file(
         left = imu.axes.accel @ known.accel_matrix[j]
         assert np.abs(left.T @ left - np.eye(3)).max() < 0.006
         assert np.abs(imu.axes.gyro @ known.gyro_matrix[j] - left).max() < 0.01
+
+
+def test_a_simulated_session_has_temperatures(tmp_path: Path) -> None:
+    session = tmp_path / "simulated.mcap"
+    assert main(["simulate", "-o", str(session), "--duration", "2", "--lenses", "none"]) == 0
+    _, warmth = warmth_of(session)
+    assert warmth.celsius.shape == warmth.gyro.shape[:2] and len(np.unique(warmth.celsius)) >= 14
+    assert 15.0 < warmth.celsius.min() < warmth.celsius.max() < 40.0
 
 
 @pytest.mark.parametrize("command", ["imu-axes", "imu-drift"])

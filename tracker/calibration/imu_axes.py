@@ -32,26 +32,59 @@ APART = np.deg2rad(25.0)
 POSITIONS = 12
 """Different positions that the procedure asks for. Six are the least for a result."""
 FEWEST = 6
-SD_NORM, SD_TURN = 0.01, 0.004
-"""m/s² of the magnitude of gravity at rest; rad of its direction after a rotation: g-sensitivity
-and noise of the gyroscope in 3 s."""
+SD_NORM, SD_TURN = 0.01, 0.002
+"""m/s² of the magnitude of gravity at rest; rad of its direction after a rotation."""
 SD_SCALE, SD_CROSS, SD_BIAS = 0.01, 0.01, 0.25
 """Prior: a third of the data sheet's ±3 %, half of ±2 % for two axes, and 25 mg."""
+SD_GYRO_BIAS, SD_SENSITIVITY = np.deg2rad(0.5), np.deg2rad(0.1) / GRAVITY
+"""Prior: rad/s about the mean of all rests; rad/s per m/s² of each axis to each acceleration."""
 
 
 @dataclass(eq=False)
 class Rest:
-    """accel and gyro (n, 3): means of each IMU, NaN where it did not answer."""
+    """Blocks of packets at rest.
 
-    accel: Array
-    gyro: Array
+    A worn hand sways by 2 °/s at rest. Gravity is therefore compared between the first half second
+    and the last one, and the gyroscope is integrated from the middle of the one to that of the
+    other.
+    """
+
+    blocks: list[list[ImuSample]]
+
+    @property
+    def accel(self) -> Array:
+        """(n, 3): mean of each IMU, NaN where it did not answer."""
+        return _mean(self.blocks, "accel")
+
+    @property
+    def gyro(self) -> Array:
+        """(n, 3), likewise."""
+        return _mean(self.blocks, "gyro")
+
+    @property
+    def first(self) -> Array:
+        """accel (n, 3) about the beginning of the second block."""
+        return _mean(self.blocks[:2], "accel")
+
+    @property
+    def last(self) -> Array:
+        """accel (n, 3) about the beginning of the last block."""
+        return _mean(self.blocks[-2:], "accel")
+
+    @property
+    def inside(self) -> Turn:
+        """Between the instants of `first` and `last`."""
+        middle = [s for block in self.blocks[1:-1] for s in block]
+        return _turn(middle, self.blocks[-1][0])
 
 
 class Turn(NamedTuple):
-    """Between two rests: steps (m,) s and gyro (m, n, 3) rad/s, NaN where an IMU was missing."""
+    """Packets: steps (m,) s to the next one, gyro (m, n, 3) rad/s and accel (m, n, 3) m/s², NaN
+    where an IMU was missing."""
 
     steps: Array
     gyro: Array
+    accel: Array
 
 
 @dataclass(eq=False)
@@ -59,13 +92,13 @@ class RestFinder:
     """Finds the rests in packets, which come in order of time."""
 
     rests: list[Rest] = field(default_factory=list)
-    turns: list[Turn] = field(default_factory=list)
-    """``turns[k]`` is between ``rests[k]`` and the next one."""
     is_still: bool = False
     """Whether the last block was a rest."""
     _block: list[ImuSample] = field(default_factory=list)
     _still: list[list[ImuSample]] = field(default_factory=list)
     _moving: list[ImuSample] = field(default_factory=list)
+    _between: list[list[ImuSample]] = field(default_factory=list)
+    """Packets between each rest and the next one."""
 
     def add(self, sample: ImuSample) -> None:
         """Takes a packet."""
@@ -87,14 +120,26 @@ class RestFinder:
         self._still.append(block)
         if len(self._still) == LEAST_BLOCKS:
             self._begin()
-        elif len(self._still) > LEAST_BLOCKS:
-            self.rests[-1] = _rest(self._still)
 
     def _begin(self) -> None:
         if self.rests:
-            self.turns.append(_turn(self._moving, self._still[0][0]))
-        self.rests.append(_rest(self._still))
+            self._between.append(self._moving)
+        self.rests.append(Rest(self._still))  # the list continues to grow
         self._moving = []
+
+    def turns(self) -> list[Turn]:
+        """From the end of each rest to the beginning of the next one."""
+        return [
+            _turn([*before.blocks[-1], *moving, *after.blocks[0]], after.blocks[1][0])
+            for before, moving, after in zip(
+                self.rests, self._between, self.rests[1:], strict=False
+            )
+        ]
+
+    @property
+    def rest_s(self) -> float:
+        """s of the present rest; 0 while the glove moves or has just stopped."""
+        return BLOCK_S * len(self._still) if len(self._still) >= LEAST_BLOCKS else 0.0
 
     def positions(self) -> int:
         """Number of rests that differ from all before by `APART` in the direction of gravity, in
@@ -115,19 +160,17 @@ def _different(ups: Array) -> int:
     return len(found)
 
 
-def _rest(blocks: Sequence[Sequence[ImuSample]]) -> Rest:
-    samples = [s for block in blocks for s in block]
-    accel, gyro = (np.array([getattr(s, name) for s in samples]) for name in ("accel", "gyro"))
-    return Rest(accel.mean(axis=0), gyro.mean(axis=0))
+def _mean(blocks: Sequence[Sequence[ImuSample]], name: str) -> Array:
+    mean: Array = np.mean([getattr(s, name) for block in blocks for s in block], axis=0)
+    return mean
 
 
-def _turn(moving: Sequence[ImuSample], end: ImuSample) -> Turn:
-    t = np.array([s.t for s in (*moving, end)])
-    steps = np.diff(t)
+def _turn(samples: Sequence[ImuSample], end: ImuSample) -> Turn:
+    steps = np.diff([s.t for s in (*samples, end)])
     n = len(end.gyro)
-    gyro = np.array([s.gyro for s in moving]).reshape(-1, n, 3)
+    gyro = np.array([s.gyro for s in samples]).reshape(-1, n, 3)
     gyro[steps > LONGEST_GAP] = np.nan
-    return Turn(steps, gyro)
+    return Turn(steps, gyro, np.array([s.accel for s in samples]).reshape(-1, n, 3))
 
 
 class AxesResult(NamedTuple):
@@ -142,11 +185,19 @@ class AxesResult(NamedTuple):
 
 def fit_axes(found: RestFinder, imu: int) -> AxesResult | None:
     """The correction of one IMU by least squares; None if it has fewer than `FEWEST` rests."""
-    accel = np.array([r.accel[imu] for r in found.rests]).reshape(-1, 3)
+    rests = found.rests
+    accel = np.array([r.accel[imu] for r in rests]).reshape(-1, 3)
     if np.isfinite(accel).all(axis=1).sum() < FEWEST:
         return None
-    problem = _Problem(accel, [_steps(found, k, imu) for k in range(len(found.turns))])
-    solution = least_squares(problem.residuals, np.zeros(18), x_scale=0.01)
+    bias = np.nanmean([r.gyro[imu] for r in rests], axis=0)
+    inside = [_path(r.inside, imu, bias, r.first, r.last) for r in rests]
+    between = [
+        _path(turn, imu, bias, before.last, after.first)
+        for turn, before, after in zip(found.turns(), rests, rests[1:], strict=False)
+    ]
+    paths = [p for p in (*inside, *between) if p is not None]
+    problem = _Problem(accel[np.isfinite(accel).all(axis=1)], paths)
+    solution = least_squares(problem.residuals, np.zeros(len(_PRIOR)), x_scale=_PRIOR)
     covariance = np.linalg.inv(solution.jac.T @ solution.jac)
     sd = np.sqrt(np.diag(covariance))
     measured = problem.measured(solution.x)
@@ -154,55 +205,71 @@ def fit_axes(found: RestFinder, imu: int) -> AxesResult | None:
     accel_sd = np.zeros((3, 3))
     accel_sd[UPPER] = sd[:6]
     axes = ImuAxes(_gyro(solution.x), _accel(solution.x))
-    return AxesResult(axes, sd[9:].reshape(3, 3), accel_sd, misfit)
+    return AxesResult(axes, sd[9:18].reshape(3, 3), accel_sd, misfit)
 
 
 UPPER = np.triu_indices(3)
 _PRIOR = np.concatenate(
-    [np.where(UPPER[0] == UPPER[1], SD_SCALE, SD_CROSS), np.full(3, SD_BIAS), np.full(9, SD_CROSS)]
+    [
+        np.where(UPPER[0] == UPPER[1], SD_SCALE, SD_CROSS),
+        np.full(3, SD_BIAS),
+        np.full(9, SD_CROSS),
+        np.full(3, SD_GYRO_BIAS),
+        np.full(9, SD_SENSITIVITY),
+    ]
 )
 
 
 def _accel(x: Array) -> Array:
-    """(3, 3) of the parameters (18,): six of it, three biases, nine of the gyroscope."""
+    """(3, 3) of the parameters (30,): six of it, three biases; nine of the gyroscope, three biases
+    and nine of its sensitivity to acceleration."""
     matrix: Array = np.eye(3)
     matrix[UPPER] += x[:6]
     return matrix
 
 
 def _gyro(x: Array) -> Array:
-    return np.eye(3) + np.reshape(x[9:], (3, 3))
+    return np.eye(3) + np.reshape(x[9:18], (3, 3))
 
 
-def _steps(found: RestFinder, k: int, imu: int) -> Array | None:
-    """(m, 3) rad: rotations of a turn without the bias, as measured; None if a part is missing."""
-    turn, before, after = found.turns[k], found.rests[k], found.rests[k + 1]
-    gyro = turn.gyro[:, imu]
-    share = np.linspace(0, 1, len(gyro))[:, None] if len(gyro) else np.zeros((0, 1))
-    bias = (1 - share) * before.gyro[imu] + share * after.gyro[imu]
-    steps = (gyro - bias) * turn.steps[: len(gyro), None]
-    return steps if np.isfinite(steps).all() else None
+class _Path(NamedTuple):
+    """A rotation as measured: steps (m, 1) s, gyro (m, 3) without the mean bias, accel (m, 3); and
+    gravity before and after it, (3,) each."""
+
+    steps: Array
+    gyro: Array
+    accel: Array
+    before: Array
+    after: Array
+
+
+def _path(turn: Turn, imu: int, bias: Array, before: Array, after: Array) -> _Path | None:
+    """None if a part is missing."""
+    steps = turn.steps[:, None]
+    path = _Path(steps, turn.gyro[:, imu] - bias, turn.accel[:, imu], before[imu], after[imu])
+    return path if all(np.isfinite(x).all() for x in path) else None
 
 
 class _Problem:
-    """Residuals in standard deviations for the rests' accel (K, 3) and the turns between them."""
+    """Residuals in standard deviations for the rests' accel (K, 3) and the rotations in and between
+    them."""
 
-    def __init__(self, accel: Array, turns: list[Array | None]) -> None:
-        self._accel, self._turns = accel, turns
+    def __init__(self, accel: Array, paths: list[_Path]) -> None:
+        self._accel, self._paths = accel, paths
 
     def residuals(self, x: Array) -> Array:
         return np.concatenate([self.measured(x), x / _PRIOR])
 
     def measured(self, x: Array) -> Array:
-        up = (self._accel - x[6:9]) @ _accel(x).T
-        size = np.linalg.norm(up, axis=1)
-        known = np.isfinite(size)
-        parts = [(size[known] - GRAVITY) / SD_NORM]
-        for k, steps in enumerate(self._turns):
-            if steps is None or not known[k] or not known[k + 1]:
-                continue
-            R = _product(so3.exp(steps @ _gyro(x).T))
-            parts.append((up[k + 1] / size[k + 1] - R.T @ (up[k] / size[k])) / SD_TURN)
+        accel, gyro, sensitivity = _accel(x), _gyro(x), np.reshape(x[21:], (3, 3))
+        size = np.linalg.norm((self._accel - x[6:9]) @ accel.T, axis=1)
+        parts = [(size - GRAVITY) / SD_NORM]
+        for path in self._paths:
+            rate = path.gyro - x[18:21] - path.accel @ sensitivity.T
+            R = _product(so3.exp((rate * path.steps) @ gyro.T))
+            up, then = (accel @ (f - x[6:9]) for f in (path.before, path.after))
+            error = then / np.linalg.norm(then) - R.T @ (up / np.linalg.norm(up))
+            parts.append(error / SD_TURN)
         return np.concatenate(parts)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
+from typing import TypeVar
 
 import numpy as np
 
@@ -35,6 +36,9 @@ from tracker.vision.rig import LONGEST_READOUT, StereoRig, ideal_rig, with_reado
 EPOCH_NS = 1_735_689_600 * 10**9  # 2025-01-01: a simulated session has no clock of its own
 MONOTONIC_NS = 0
 MOST_LATE = 0.05  # s
+STATUS_S = 1.0
+"""Interval at which a glove reports its temperatures."""
+M = TypeVar("M")
 GLOVES = {"left": "vist-small-left", "right": library.DEFAULT_GLOVE}
 """The default glove of a simulated hand of each side."""
 
@@ -153,10 +157,11 @@ def simulate(
     end = min(sim.duration, options.duration + (led.free_from if led else 0.0))
     events = led.events if led else []
     with new_session(out, info, force, params=params) as recorder:
+        temperature = Temperatures(sim)
         for message in with_events(_sensed(sim, info, options.images), events):
             if message.t > end:
                 break
-            recorder.write(message)
+            recorder.write(temperature.with_(message))
             if isinstance(message, ImuSample):
                 recorder.write_truth(truth_message(message.t, sim.truth(message.t), info))
             if isinstance(message, StereoFrame) or message.t % 1.0 < 0.01:
@@ -167,6 +172,21 @@ def simulate(
 def _sensed(sim: Simulation, info: SessionInfo, images: bool) -> Iterator[Message]:
     """Yields the sensor messages; only the glove's without a camera."""
     return sim.messages(images) if info.rig is not None else sim.imu_samples()
+
+
+class Temperatures:
+    """Adds the temperatures of the IMUs to a packet once a second, as a glove reports them."""
+
+    def __init__(self, sim: Simulation) -> None:
+        self._imus, self._next = sim.imus, 0.0
+
+    def with_(self, message: M) -> M | ImuSample:
+        """The message, with temperatures if it is a packet and they are due."""
+        if not isinstance(message, ImuSample) or message.t < self._next:
+            return message
+        self._next = message.t + STATUS_S
+        celsius = np.round(self._imus.temperature(np.array([message.t]))[0], 2)
+        return replace(message, temperature=celsius)
 
 
 def build_both(options: SimulateOptions) -> tuple[TwoHandsSimulation, SessionInfo]:
@@ -193,8 +213,11 @@ def _simulate_both(
     infos = {hand.side: hand for hand in info.hands}
     images = "jpeg" if options.images else "none"
     params = RecorderParams(images=images, jpeg_quality=options.jpeg_quality)
+    temperature = {side: Temperatures(hand) for side, hand in sim.hands.items()}
     with new_session(out, info, force, params=params) as recorder:
         for side, message in sim.messages(options.images):
+            if isinstance(message, ImuSample):
+                message = temperature[side].with_(message)
             recorder.write(message, side=side)
             if isinstance(message, ImuSample):
                 true = sim.hands[side].truth(message.t)

@@ -164,6 +164,11 @@ class TwoHandsScene:
         return self._scenes[0].reported_pose(t)
 
 
+def hand_seed(seed: int, side: str) -> int:
+    """The seed of one of two hands."""
+    return 2 * seed + SIDES.index(side)
+
+
 class TwoHandsSimulation:
     """A left and a right hand that meet, in G of one camera. One seed determines everything."""
 
@@ -182,7 +187,7 @@ class TwoHandsSimulation:
             raise ConfigError(notice("simulate.two_hands_scene"))
         self._render = params.render
         meeting, camera = Meeting(seed, duration), self.rig.pose
-        seeds = {side: 2 * seed + k for k, side in enumerate(SIDES)}
+        seeds = {side: hand_seed(seed, side) for side in SIDES}
         motions = {
             side: OneOfTwo(
                 RandomPostures(dressed[side].hand, seeds[side], 3.0, duration, CLOSE, camera),

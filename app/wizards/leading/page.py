@@ -73,6 +73,7 @@ class PoseStage(QWidget):
         super().__init__(parent)
         self._hand = setup.hand
         self._drawn = DrawnHand(setup.hand)
+        self.distance = self._drawn.distance()  # of the viewer, m
         self._skin: HandSkin | None = None
         self._body: DrawnSurface | None = None
         self._outline: DrawnSurface | None = None
@@ -117,15 +118,19 @@ class PoseStage(QWidget):
         skin, body = self._skin, self._body
         if skin is None or body is None:
             return
-        shown = self._drawn.shown(self.before, self.pose, monotonic() - self._since, again)
+        shown = self.shown(again)
         orbit = self.view.orbit
-        orbit.target, orbit.distance = shown.p_middle, self._drawn.distance()
+        orbit.target, orbit.distance = shown.p_middle, self.distance
         orbit.look_from(shown.eye)
         draped = _plain(skin, shown)
         body.drape(draped.points, draped.normals, draped.looks)
         body.show(True)
         self._refresh_outline(skin, estimate, shown)
         self.view.render_scene()
+
+    def shown(self, again: bool) -> Shown:
+        """The drawn hand at the current time."""
+        return self._drawn.shown(self.before, self.pose, monotonic() - self._since, again)
 
     def _refresh_outline(self, skin: HandSkin, estimate: Estimate | None, shown: Shown) -> None:
         """Draw the wearer's hand with its dorsum aligned to that of the drawn hand."""
@@ -174,9 +179,16 @@ def foot_row(first: QWidget, rest: Iterable[QWidget]) -> QHBoxLayout:
 class LeadingPage(QWidget):
     """Buttons and texts; the dialog executes the requests."""
 
-    def __init__(self, setup: EngineSetup, background: str, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        setup: EngineSetup,
+        background: str,
+        parent: QWidget | None = None,
+        stage: PoseStage | None = None,
+    ) -> None:
+        """``stage``: by default one that shows guided poses."""
         super().__init__(parent)
-        self.stage = PoseStage(setup, background)
+        self.stage = stage or PoseStage(setup, background)
         self.words, self.notes = self.label("words"), self.label("notes")
         self.chips = self.label("chips")
         self.chips.setTextFormat(Qt.TextFormat.RichText)

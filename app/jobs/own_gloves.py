@@ -1,0 +1,44 @@
+"""Writes what was measured of a glove into its own file, which is used from then on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+from app.engines.engine import EngineSetup
+from app.storage.bound_gloves import BoundGlove, bound, with_bound
+from app.storage.own_gloves import own_path
+from app.storage.settings import SettingsStore
+from tracker.base.files import write_with_folder
+from tracker.glove import library
+from tracker.glove.files import parse_glove
+
+
+def save_own(store: SettingsStore, setup: EngineSetup, change: Callable[[str], str]) -> Path:
+    """Write the glove's own file with a change of its text; it is used when devices are opened
+    next.
+
+    Raises FileError if the result is not a glove file, or if it cannot be written.
+    """
+    glove = setup.connection
+    path = own_path(glove.own_file)
+    text = change(library.text("gloves", glove.own_file if path.is_file() else glove.file))
+    parse_glove(text, setup.hand, path.name)
+    write_with_folder(path, text)
+    if not setup.simulated:  # the demo uses its own file whenever it exists
+        _use(store, setup)
+    return path
+
+
+def _use(store: SettingsStore, setup: EngineSetup) -> None:
+    settings, glove = store.value, setup.connection
+    changes: dict[str, object] = {}
+    if settings.glove == glove.file:
+        changes["glove"] = glove.own_file
+    if glove.number is not None:
+        hand = settings.hand if settings.glove == glove.file else setup.hand.name
+        known = bound(settings, glove.number) or BoundGlove(setup.side, glove.file, hand)
+        own = replace(known, glove=glove.own_file)
+        changes["gloves"] = with_bound(settings, glove.number, own)
+    store.update(**changes)

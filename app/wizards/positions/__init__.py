@@ -1,0 +1,1 @@
+"""The guided measurement of the axes of a glove's IMUs."""

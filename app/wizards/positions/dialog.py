@@ -1,0 +1,201 @@
+"""Guided measurement of the IMUs' axes: the glove rests in twelve positions, for two minutes."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QPushButton, QWidget
+
+from app.engines.engine import EngineSetup
+from app.engines.engine_host import EngineHost
+from app.jobs.own_gloves import save_own
+from app.platform.tasks import JobProgress, TaskOwner
+from app.storage.settings import SettingsStore
+from app.viewmodels.imu_positions import POSITION_WORDS, AxesWords, PositionsRun, axes_words
+from app.wizards.leading.dialog import LeadingDialog
+from app.wizards.leading.outcome import OutcomePage
+from app.wizards.leading.page import LeadingPage
+from app.wizards.positions.stage import PositionStage
+from app.words import error_text, tr
+from tracker.base.errors import GlovetrackError
+from tracker.calibration.imu_positions import POSITION_NAMES, ImuAxesRow, PositionGuide
+from tracker.glove.imu_values import with_axes
+from tracker.simulation.rest_positions import rest_request
+
+
+class AxesPage(OutcomePage):
+    """The result of each IMU."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        names = (
+            self.tr("IMU"),
+            self.tr("Accelerometer"),
+            self.tr("Gyroscope"),
+            self.tr("Result"),
+        )
+        self.name_columns(self.tr("Result"), names, wide=3)
+        self.save = QPushButton(self.tr("&Save"))
+        self.save.setDefault(True)
+        self.discard = QPushButton(self.tr("&Discard"))
+        self.lay_out(self.discard, self.save)
+
+    def show_waiting(self) -> None:
+        """Show that the result is being computed."""
+        self.tell(self.tr("Evaluating the positions…"), "")
+        self.enable(False)
+
+    def show_result(self, found: AxesWords) -> None:
+        """Show the result."""
+        self.tell(found.heading, found.words, found.rows, found.colours)
+        self.enable(True)
+        self.save.setEnabled(bool(found.usable))
+        (self.save if found.usable else self.again_button).setFocus()
+
+
+class PositionsPage(LeadingPage):
+    """Shows the next position; `PositionsDialog` executes the requests."""
+
+    def __init__(self, setup: EngineSetup, background: str, parent: QWidget | None = None) -> None:
+        super().__init__(setup, background, parent, PositionStage(setup, background))
+        self.word = self.label("word")
+        self.sound.setToolTip(self.tr("Beep when a position has been measured"))
+        self.finish = QPushButton(self.tr("&Finish"))
+        self.finish.setToolTip(self.tr("Evaluate the positions measured so far, at least six"))
+        self.finish.setAutoDefault(False)
+        self.lay_out((self.words, self.word, self.notes), (self.stop, self.finish, self.start))
+
+    def show_run(self, run: PositionsRun) -> None:
+        """Show the state."""
+        guide = run.guide
+        name = guide.asked if guide is not None else POSITION_NAMES[0]
+        if name and self.stage.pose != name:
+            self.stage.show_pose(name)
+        word, colour = run.word()
+        self.stage.ring.show_share(guide.share if guide is not None else 0.0, colour)
+        if guide is None:
+            self.words.setText(self.tr("Rest the glove in twelve positions"))
+            self.notes.setText(
+                self.tr(
+                    "Gravity shows how accurate scale and axes of the IMUs are. Wear the glove "
+                    "and support the hand on a table, or fasten the glove to a box. Hold each "
+                    "position still for two seconds. Any order is possible. It takes two minutes."
+                )
+            )
+        elif name:
+            self.words.setText(tr(POSITION_WORDS[name]))
+            self.notes.setText("")
+        self.word.setVisible(bool(word))
+        self.word.setText(word)
+        self.word.setStyleSheet(f"background: {colour}")
+        self.show_chips(run.chips())
+        self.start.setVisible(guide is None)
+        self.finish.setVisible(guide is not None)
+        self.finish.setEnabled(guide is not None and guide.is_enough)
+
+
+class PositionsDialog(LeadingDialog):
+    """``saved``: the glove's file was written, and the glove is to be opened again."""
+
+    saved = Signal()
+
+    def __init__(
+        self,
+        host: EngineHost,
+        setup: EngineSetup,
+        store: SettingsStore,
+        tasks: TaskOwner,
+        background: str,
+        parent: QWidget | None = None,
+    ) -> None:
+        lead, outcome = PositionsPage(setup, background), AxesPage()
+        super().__init__(host, store, (lead, outcome), parent)
+        self.lead, self.outcome, self.run = lead, outcome, PositionsRun()
+        self._setup, self._store, self._tasks = setup, store, tasks
+        self._rows: list[ImuAxesRow] = []
+        self._followed = ""
+        self._held = 0
+        self.setWindowTitle(self.tr("Accuracy of the IMUs"))
+        self.setObjectName("imu_positions")
+        self.due.connect(self._go_on)
+        lead.start.clicked.connect(self.start)
+        lead.finish.clicked.connect(self._finish)
+        outcome.again.connect(self.start)
+        outcome.discard.clicked.connect(self.reject)
+        outcome.save.clicked.connect(self._save)
+        self.begin()
+
+    # --- the positions
+
+    def start(self) -> None:
+        """Start with the first position."""
+        self.pages.setCurrentWidget(self.lead)
+        self._followed, self._held = "", 0
+        guide = PositionGuide(self._setup.glove)
+        self.run.start(guide, self._setup.tracked.recent_imu())
+
+    def _go_on(self) -> None:
+        self.run.look(self._setup.tracked.recent_imu())
+        guide = self.run.guide
+        if guide is not None:
+            if len(guide.held) > self._held:
+                self.beep()
+            self._held = len(guide.held)
+            self._lead_wearer(guide.asked)
+        if self.run.is_done:
+            self._finish()
+        else:
+            self.lead.show_run(self.run)
+            self.lead.stage.refresh(self._setup.tracked.latest_estimate(), again=False)
+
+    def _lead_wearer(self, name: str) -> None:
+        """Let a simulated wearer take the position."""
+        wearer = self._setup.live.wearer if self._setup.live is not None else None
+        if wearer is None or name == self._followed:
+            return
+        self._followed = name
+        if name:
+            wearer.follow(partial(rest_request, name), name)
+        else:
+            wearer.show("")
+
+    # --- the result
+
+    def _finish(self) -> None:
+        guide = self.run.guide
+        if guide is None:
+            return
+        self.pages.setCurrentWidget(self.outcome)
+        self.outcome.show_waiting()
+
+        def evaluate(_progress: JobProgress) -> list[ImuAxesRow]:
+            return guide.result()
+
+        title = self.tr("Evaluating the positions")
+        self._tasks.run(title, evaluate, self._evaluated, failed=self._failed)
+
+    def _evaluated(self, rows: list[ImuAxesRow]) -> None:
+        self._rows = rows
+        self.outcome.show_result(axes_words(rows, self._setup.connection.own_file))
+
+    def _failed(self, why: str) -> None:
+        self.outcome.tell(self.tr("The result cannot be used"), why)
+        self.outcome.again_button.setEnabled(True)
+
+    def _save(self) -> None:
+        axes = {r.name: r.result.axes for r in self._rows if r.is_usable and r.result is not None}
+        try:
+            save_own(self._store, self._setup, lambda text: with_axes(text, axes))
+        except GlovetrackError as error:
+            self._failed(error_text(error))
+            return
+        self.close()
+        self.saved.emit()
+
+    def done(self, result: int) -> None:
+        """Let a simulated wearer continue."""
+        wearer = self._setup.live.wearer if self._setup.live is not None else None
+        if wearer is not None and self._followed:
+            wearer.show("")
+        super().done(result)
