@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +14,7 @@ from app.viewmodels.states import GREY, VALIDITY
 from app.widgets.image_shapes import Cross, Ellipse, ImageLabel, ImageLine, Ring, Shape
 from app.words import mark, tr
 from tracker.hand.names import bones
-from tracker.messages import Array, Blobs, FrameResult, RejectedBlobs, Tracking, Validity
+from tracker.messages import Array, Blobs, FrameResult, IntArray, RejectedBlobs, Tracking, Validity
 from tracker.vision.rig import StereoRig
 
 VISIBLE = 0.5
@@ -85,12 +86,12 @@ def _blobs(
     results = [hand.result for hand in view.hands if hand.result is not None]
     claimed = _claimed(results, len(blobs), right)
     paired = set[int]().union(*(_paired(result, right) for result in results if pairs))
-    out: list[Shape] = []
-    for i, (u, v) in enumerate(blobs.uv):
-        radius = float(max(blobs.size[i])) / 2 + 2
-        colour = colours.get(names[blobs.hue[i]], WHITE)
-        out.append(Ring(float(u), float(v), radius, colour, 2.0, not claimed[i], 1.0, i in paired))
-    return out
+    radii = (blobs.size.max(axis=1) / 2 + 2).tolist() if len(blobs) else []
+    rows = zip(blobs.uv.tolist(), radii, blobs.hue.tolist(), claimed, strict=True)
+    return [
+        Ring(u, v, radius, colours.get(names[hue], WHITE), 2.0, not own, 1.0, i in paired)
+        for i, ((u, v), radius, hue, own) in enumerate(rows)
+    ]
 
 
 def _paired(result: FrameResult, right: bool) -> set[int]:
@@ -104,7 +105,7 @@ def _claimed(results: Sequence[FrameResult], count: int, right: bool) -> list[bo
     if not results:
         return [True] * count
     matches = [result.match_right if right else result.match_left for result in results]
-    taken = {int(i) for match in matches for i in match[match >= 0]}
+    taken = {i for match in matches for i in match.tolist()}
     return [i in taken for i in range(count)]
 
 
@@ -128,13 +129,14 @@ def _predicted(
     opaque = result.visible >= VISIBLE
     ellipses = _ellipses(result.predicted_cov, known & opaque) if not right else {}
     out: list[Shape] = []
+    places, inside, clear = uv.tolist(), known.tolist(), opaque.tolist()
     for marker in view.setup.glove.markers:
         colour = colours.get(marker.hue, WHITE)
-        if not known[marker.id]:
+        if not inside[marker.id]:
             out += _outside(pixels[marker.id], colour, view, right)
             continue
-        u, v = uv[marker.id].tolist()
-        if not opaque[marker.id]:
+        u, v = places[marker.id]
+        if not clear[marker.id]:
             out.append(Cross(u, v, colour, opacity=DIM))
             continue
         out.append(Cross(u, v, colour))
@@ -181,13 +183,15 @@ def _residuals(result: FrameResult, blobs: Blobs, right: bool) -> list[Shape]:
     """A line from each prediction to the matched blob."""
     match = result.match_right if right else result.match_left
     uv = result.predicted_right if right else result.predicted_left
-    out: list[Shape] = []
-    for marker, i in enumerate(match.tolist()):
-        if 0 <= i < len(blobs) and np.isfinite(uv[marker]).all():
-            u0, v0 = uv[marker].tolist()
-            u1, v1 = blobs.uv[i].tolist()
-            out.append(ImageLine(u0, v0, u1, v1, WHITE, 1.0))
-    return out
+    drawn = np.flatnonzero((match >= 0) & (match < len(blobs)) & np.isfinite(uv).all(axis=1))
+    ends = np.concatenate([uv[drawn], blobs.uv[match[drawn]]], axis=1)
+    return [ImageLine(u0, v0, u1, v1, WHITE, 1.0) for u0, v0, u1, v1 in ends.tolist()]
+
+
+@lru_cache(maxsize=4)
+def _joined(keypoints: tuple[str, ...]) -> IntArray:
+    """(n, 2) rows of keypoints at the ends of each bone."""
+    return np.array(bones(keypoints), np.int64).reshape(-1, 2)
 
 
 def _skeleton(view: Snapshot, right: bool) -> list[Shape]:
@@ -195,16 +199,14 @@ def _skeleton(view: Snapshot, right: bool) -> list[Shape]:
     if estimate is None:
         return []
     pixels = project(view, estimate.keypoints, right)
+    joined = _joined(tuple(view.setup.glove.keypoint_names(view.setup.hand)))
+    ends = pixels[joined].reshape(-1, 4)
+    states = estimate.keypoint_state[joined].min(axis=1)
+    drawn = np.isfinite(ends).all(axis=1)
     out: list[Shape] = []
-    for a, b in bones(view.setup.glove.keypoint_names(view.setup.hand)):
-        ends = np.concatenate([pixels[a], pixels[b]])
-        if not np.isfinite(ends).all():
-            continue
-        state = int(min(estimate.keypoint_state[a], estimate.keypoint_state[b]))
+    for (u0, v0, u1, v1), state in zip(ends[drawn].tolist(), states[drawn].tolist(), strict=True):
         colour = VALIDITY[state].colour if state != Validity.LOST else GREY
-        dashed = state != Validity.MEASURED
-        u0, v0, u1, v1 = ends.tolist()
-        out.append(ImageLine(u0, v0, u1, v1, colour, 2.5, dashed, 0.85))
+        out.append(ImageLine(u0, v0, u1, v1, colour, 2.5, state != Validity.MEASURED, 0.85))
     return out
 
 

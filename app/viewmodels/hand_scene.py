@@ -5,17 +5,27 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
 from app.engines.engine import EngineSetup
-from app.engines.protocols import ReferenceHand
 from app.engines.snapshot import Snapshot
 from app.viewmodels.camera_overlay import VISIBLE
 from app.viewmodels.hand_skin import scales
 from app.words import tr
 from tracker.hand.model import HandModel
-from tracker.messages import SEEN_LATELY, Array, Estimate, FrameResult, IntArray, Tracking, Validity
+from tracker.kernels.arrays import BoolVector
+from tracker.messages import (
+    SEEN_LATELY,
+    Array,
+    Calibration,
+    Estimate,
+    FrameResult,
+    IntArray,
+    Tracking,
+    Validity,
+)
 
 TRAIL_POINTS = 90  # 3 s of images at 30 a second
 FOLLOW = 0.3
@@ -147,13 +157,6 @@ class HandScene:
     trail: Array
 
 
-def _points_of(other: ReferenceHand | None, count: int) -> Array:
-    """(K, 3) m: the known keypoints of a hand that cannot be drawn whole."""
-    if other is None or other.is_whole:
-        return np.full((count, 3), np.nan)
-    return other.keypoints
-
-
 class HandSceneModel:
     """Creates a `HandScene` from each snapshot; stores when each marker was last matched."""
 
@@ -170,6 +173,9 @@ class HandSceneModel:
         self._last: tuple[Array, Array] | None = None
         self._trail_of: int | None = None
         self._trail: deque[Array] = deque(maxlen=TRAIL_POINTS)
+        self._no_trail = np.full((TRAIL_POINTS, 3), np.nan)
+        self._no_points = np.full((len(names), 3), np.nan)
+        self._scaled: tuple[Calibration | None, Array] = None, scales(setup.hand, None)
 
     @property
     def tip_names(self) -> list[str]:
@@ -187,12 +193,18 @@ class HandSceneModel:
         """(`TRAIL_POINTS`, 3), padded with the oldest point; all NaN without a trail."""
         if self._trail_of is not None and np.isfinite(estimate.keypoints[self._trail_of]).all():
             self._trail.append(estimate.keypoints[self._trail_of])
-        out = np.full((TRAIL_POINTS, 3), np.nan)
-        if self._trail:
-            points = np.array(self._trail)
-            out[: TRAIL_POINTS - len(points)] = points[0]
-            out[TRAIL_POINTS - len(points) :] = points
+        if not self._trail:
+            return self._no_trail
+        points, out = np.array(self._trail), np.empty((TRAIL_POINTS, 3))
+        out[: TRAIL_POINTS - len(points)] = points[0]
+        out[TRAIL_POINTS - len(points) :] = points
         return out
+
+    def _scale(self, calibration: Calibration | None) -> Array:
+        """(S, 3), computed again only for another calibration."""
+        if calibration is not self._scaled[0]:
+            self._scaled = calibration, scales(self._setup.hand, calibration)
+        return self._scaled[1]
 
     def scene(self, view: Snapshot, with_reference: bool = False) -> HandScene | None:
         """The scene; None before the first estimate with a pose."""
@@ -209,7 +221,7 @@ class HandSceneModel:
             return None
         R, p = self._last
         other = view.reference() if with_reference else None
-        scale = scales(view.setup.hand, view.calibration)
+        scale = self._scale(view.calibration)
         pose = view.setup.camera.rig.pose
         if view.frame is not None and view.frame.pose is not None:
             pose = view.frame.pose
@@ -223,7 +235,9 @@ class HandSceneModel:
             tips=estimate.keypoints[self._tip_rows],
             tip_sd=estimate.keypoint_sd[self._tip_rows],
             reference=(other.R_GB, other.p_GB) if other is not None and other.is_whole else None,
-            reference_points=_points_of(other, len(estimate.keypoints)),
+            reference_points=(
+                other.keypoints if other is not None and not other.is_whole else self._no_points
+            ),
             R_GC=pose.R_GC,
             p_GC=pose.p_GC,
             trail=self._trail_points(estimate),
@@ -286,16 +300,24 @@ def followed(
     return np.asarray(target + (share if near else 1.0) * (centre - target))
 
 
+@lru_cache(maxsize=4)
+def _state_columns(hand: HandModel) -> tuple[IntArray, BoolVector]:
+    """(S, 3) columns of each segment's angles, repeated where it has fewer; (S,) whether its state
+    is that of the position: it is the root or has no angle."""
+    columns = np.zeros((len(hand.segments), 3), np.int64)
+    for row, known in zip(columns, hand.axis_columns, strict=True):
+        own = [c for c in known if c >= 0]
+        row[:] = (own * 3)[:3] if own else 0
+    rigid = (np.array(hand.axis_columns) < 0).all(axis=1) | (np.array(hand.parent) < 0)
+    return columns, rigid
+
+
 def segment_states(hand: HandModel, estimate: Estimate, located: bool) -> IntArray:
     """(S,) state of each segment: the worst of its joint's angles; the root as the wrist, and lost
     if the position is."""
-    out = np.empty(len(hand.segments), np.int64)
-    for i, s in enumerate(hand.segments):
-        columns = [c for c in hand.axis_columns[i] if c >= 0]
-        if s.parent is None or not columns:
-            out[i] = estimate.keypoint_state[0] if located else Validity.LOST
-        else:
-            out[i] = min(int(estimate.angle_state[c]) for c in columns)
+    columns, rigid = _state_columns(hand)
+    out = estimate.angle_state[columns].min(axis=1).astype(np.int64)
+    out[rigid] = estimate.keypoint_state[0] if located else Validity.LOST
     return out
 
 

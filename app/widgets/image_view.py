@@ -15,11 +15,13 @@ from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QFont,
+    QFontMetrics,
     QKeyEvent,
     QMouseEvent,
     QPainter,
     QPaintEvent,
     QPen,
+    QPixmap,
     QResizeEvent,
     QWheelEvent,
 )
@@ -125,6 +127,7 @@ class ImageView(QWidget):
         self._canvas = ImageCanvas()
         self._composed: object = None  # what the canvas shows
         self._labels: Labels | None = None
+        self._titled: tuple[tuple[str, str, float] | None, QPixmap] = None, QPixmap()
         self.zoom = ImageZoom(self)
         self._drag: QPointF | None = None
         self._picking = False
@@ -252,7 +255,7 @@ class ImageView(QWidget):
             self._paint_image(painter, self._array)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setFont(self.font())
-        _paint_title(painter, self._title)
+        self._paint_title(painter)
         if self.hasFocus():
             _paint_focus(painter, self)
         painter.end()
@@ -269,6 +272,13 @@ class ImageView(QWidget):
             self._composed = state
         painter.drawImage(0, 0, self._canvas.image)
 
+    def _paint_title(self, painter: QPainter) -> None:
+        """Its image is kept: the same text would be painted with each camera image."""
+        made = self._title, self.font().key(), self.devicePixelRatioF()
+        if made != self._titled[0]:
+            self._titled = made, _title_image(self._title, self.font(), made[2])
+        painter.drawPixmap(8, 8, self._titled[1])
+
     def _texts(self, ratio: float) -> Labels:
         font = QFont(self.font())
         font.setPointSizeF(SMALL)
@@ -277,20 +287,29 @@ class ImageView(QWidget):
         return self._labels
 
 
-def _paint_placeholder(painter: QPainter, room: QRect, text: str) -> None:
-    painter.setPen(QColor("#9aa4af"))
-    flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-    painter.drawText(room.adjusted(16, 16, -16, -16), int(flags), text)
-
-
-def _paint_title(painter: QPainter, title: str) -> None:
-    width = painter.fontMetrics().horizontalAdvance(title) + 16
-    box = QRectF(8, 8, width, painter.fontMetrics().height() + 6)
+def _title_image(title: str, font: QFont, ratio: float) -> QPixmap:
+    """The title in a dark box."""
+    metrics = QFontMetrics(font)
+    box = QRectF(0, 0, metrics.horizontalAdvance(title) + 16, metrics.height() + 6)
+    image = QPixmap((box.size() * ratio).toSize())
+    image.setDevicePixelRatio(ratio)
+    image.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(image)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setFont(font)
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(QColor(0, 0, 0, 140))
     painter.drawRoundedRect(box, 4, 4)
     painter.setPen(QColor("#f2f4f6"))
     painter.drawText(box, int(Qt.AlignmentFlag.AlignCenter), title)
+    painter.end()
+    return image
+
+
+def _paint_placeholder(painter: QPainter, room: QRect, text: str) -> None:
+    painter.setPen(QColor("#9aa4af"))
+    flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+    painter.drawText(room.adjusted(16, 16, -16, -16), int(flags), text)
 
 
 def _paint_focus(painter: QPainter, widget: QWidget) -> None:

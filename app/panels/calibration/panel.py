@@ -119,7 +119,7 @@ class CalibrationTable(QTableWidget):
 def _show_cell(item: QTableWidgetItem, cell: CalibrationCell) -> None:
     item.setText(cell.text)
     item.setToolTip(cell.tip)
-    item.setData(SHARE_ROLE, cell.convergence)
+    item.setData(SHARE_ROLE, round(cell.convergence, 2))  # a pixel of the bar
 
 
 class CalibrationPanel(Panel):

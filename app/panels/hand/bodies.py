@@ -23,14 +23,13 @@ from app.widgets.view3d.orbit import Orbit
 from app.widgets.view3d.scene import (
     BodyLook,
     BodyScene,
-    DrawnBody,
     DrawnSurface,
     GroundLines,
     Label,
     rgb,
 )
 from app.widgets.view3d.shapes import Lines, Surface, polyline
-from tracker.messages import Array
+from tracker.messages import Array, IntArray
 
 WHITE = "#FFFFFF"
 FRUSTUM_DEPTH = 0.05
@@ -52,22 +51,20 @@ class TipRings:
     """Two rings for each of ``tips`` fingertips, of which at most one is shown."""
 
     def __init__(self, scene: BodyScene, tips: int) -> None:
-        self._whole = [scene.add(ring(broken=False), WHOLE) for _ in range(tips)]
-        self._broken = [scene.add(ring(broken=True), BROKEN) for _ in range(tips)]
-        for body in (*self._whole, *self._broken):
-            body.show(False)  # they have unit size until they are placed and would fill the view
+        self._whole = scene.add_group([ring(broken=False)] * tips, [WHOLE] * tips)
+        self._broken = scene.add_group([ring(broken=True)] * tips, [BROKEN] * tips)
 
     def update(self, scene: HandScene, wanted: bool, orbit: Orbit) -> None:
         """Draw rings of two standard deviations around the fingertips of ``scene``."""
-        towards = facing(orbit)
-        for i, (whole, broken) in enumerate(zip(self._whole, self._broken, strict=True)):
-            known = bool(np.isfinite(scene.tips[i]).all() and np.isfinite(scene.tip_sd[i]))
-            radius = 2 * float(scene.tip_sd[i]) if known else 0.0
-            whole.show(wanted and known and radius <= LIMIT)
-            broken.show(wanted and known and radius > LIMIT)
-            if wanted and known:
-                body: DrawnBody = whole if radius <= LIMIT else broken
-                body.move(towards * min(max(radius, 1e-4), LIMIT), scene.tips[i])
+        if not wanted:
+            self._whole.hide()
+            self._broken.hide()
+            return
+        radius = 2 * scene.tip_sd
+        known = np.isfinite(scene.tips).all(axis=1) & np.isfinite(radius)
+        R = orbit.axes * np.minimum(np.maximum(radius, 1e-4), LIMIT)[:, None, None]
+        self._whole.place(known & (radius <= LIMIT), R, scene.tips)
+        self._broken.place(known & (radius > LIMIT), R, scene.tips)
 
 
 def ring(broken: bool) -> Lines:
@@ -80,25 +77,23 @@ def ring(broken: bool) -> Lines:
 
 def facing(orbit: Orbit) -> Array:
     """(3, 3) rotation that turns z towards the viewer."""
-    right = np.cross(orbit.up, orbit.direction)
-    return np.stack([right, orbit.up, orbit.direction], axis=1)
+    return orbit.axes
 
 
 class PointCrosses:
     """A cross at each keypoint of a reference of which not the whole hand is known."""
 
     def __init__(self, scene: BodyScene, points: int) -> None:
-        self._crosses = [scene.add(_cross(), CROSS) for _ in range(points)]
-        for body in self._crosses:
-            body.show(False)
+        self._crosses = scene.add_group([_cross()] * points, [CROSS] * points)
+        self._upright = np.tile(np.eye(3), (points, 1, 1))
 
     def update(self, points: Array, wanted: bool) -> None:
         """``points`` (K, 3) m, NaN where none is drawn."""
-        for body, point in zip(self._crosses, points, strict=True):
-            is_shown = wanted and bool(np.isfinite(point).all())
-            body.show(is_shown)
-            if is_shown:
-                body.move(np.eye(3), point)
+        known = np.asarray(np.isfinite(points).all(axis=1) & wanted)
+        if known.any():
+            self._crosses.place(known, self._upright, points)
+        else:
+            self._crosses.hide()
 
 
 class HandBodies:
@@ -108,32 +103,34 @@ class HandBodies:
         self._scene = scene
         self._colours = [hue_colours.get(m.hue, WHITE) for m in setup.glove.markers]
         self._skin: HandSkin | None = None
+        self._marker_state: IntArray | None = None  # of the patches drawn
         tips = sum(n.endswith("_tip") for n in setup.hand.keypoint_names)
         self._tips = TipRings(scene, tips)
         self._points = PointCrosses(scene, len(setup.glove.keypoint_names(setup.hand)))
         self._frustum = _frustum(setup)
         self._camera = scene.add(self._frustum, BodyLook(SKY, line_width=1.5))
-        self._axes = [
-            scene.add(_axis(k, s.radius), BodyLook(colour, line_width=2.0))
-            for s in setup.hand.segments
-            for k, colour in enumerate(AXIS_COLOURS)
-        ]
-        self._world = [
-            scene.add(polyline(np.array([np.zeros(3), AXIS * np.eye(3)[k]])), BodyLook(colour))
-            for k, colour in enumerate(AXIS_COLOURS)
-        ]
+        many = len(setup.hand.segments)
+        self._axes = scene.add_group(
+            [_axis(k, s.radius) for k in range(3) for s in setup.hand.segments],
+            [BodyLook(colour, line_width=2.0) for colour in AXIS_COLOURS for _ in range(many)],
+        )
+        self._axes_shown = np.ones(3 * many, np.bool_)
+        self._world = scene.add_group(
+            [polyline(np.array([np.zeros(3), AXIS * np.eye(3)[k]])) for k in range(3)],
+            [BodyLook(colour) for colour in AXIS_COLOURS],
+        )
+        self._ground_labels: list[Label] = []
         faces = ribbon_faces(TRAIL_POINTS)
         self._trail = scene.add_surface(
             Surface(faces, np.full(len(faces), TRAIL_PART), np.zeros(2 * TRAIL_POINTS))
         )
         self._ground = HandGround()
         self._has_place = setup.camera.calibrated
-        for body in (*self._axes, *self._world, self._camera):
-            body.show(False)  # no positions before the first estimate
+        self._camera.show(False)  # no position before the first estimate
 
     def put_on(self, skin: HandSkin) -> None:
         """Use this mesh from now on."""
-        self._skin = skin
+        self._skin, self._marker_state = skin, None
         surface = Surface(skin.skin.faces, skin.part, skin.skin.along)
         self._hand = self._scene.add_surface(surface)
         self._reference = self._scene.add_outline(surface)
@@ -156,19 +153,19 @@ class HandBodies:
 
     def update_ground(self, scene: HandScene) -> list[Label]:
         """Place the ground below the hand; returns its labels."""
-        if self._ground.follow(scene.segment_p):
-            grid = self._ground.grid
-            self._scene.set_ground(GroundLines(grid.ends, grid.strength))
-        corner = self._ground.grid.corner
-        for body in self._world:
-            body.show(True)
-            body.move(np.eye(3), corner)
+        if not self._ground.follow(scene.segment_p):
+            return self._ground_labels
+        grid = self._ground.grid
+        self._scene.set_ground(GroundLines(grid.ends, grid.strength))
+        at = np.tile(grid.corner, (3, 1))
+        self._world.place(np.ones(3, np.bool_), np.tile(np.eye(3), (3, 1, 1)), at)
         letters = [
-            Label(name, corner + 1.15 * AXIS * np.eye(3)[k], AXIS_COLOURS[k])
+            Label(name, grid.corner + 1.15 * AXIS * np.eye(3)[k], AXIS_COLOURS[k])
             for k, name in enumerate("xyz")
         ]
-        scale = corner + [0.5 * CELL, -0.2 * CELL, 0.0]
-        return [*letters, Label(f"{CELL * 100:.0f} cm", scale, GREY)]
+        scale = grid.corner + [0.5 * CELL, -0.2 * CELL, 0.0]
+        self._ground_labels = [*letters, Label(f"{CELL * 100:.0f} cm", scale, GREY)]
+        return self._ground_labels
 
     def _update_hand(self, skin: HandSkin, scene: HandScene, show: ShownParts) -> None:
         skin.fit(scene.scale)
@@ -178,19 +175,24 @@ class HandBodies:
         self._markers.show(show.markers)
         if show.markers:
             drape(self._markers, skin.draped_patches(R, p, self._colours))
-            state = scene.marker_state
-            self._markers.choose(skin.patch_faces(state == MARKER_NOW, state == MARKER_LATELY))
+            self._choose_patches(skin, scene.marker_state)
         self._reference.show(show.reference and scene.reference is not None)
         if show.reference and scene.reference is not None:
             drape(self._reference, skin.plain(*scene.reference))
 
+    def _choose_patches(self, skin: HandSkin, state: IntArray) -> None:
+        """Show the parts of the patches that ``state`` (M,) of the markers asks for."""
+        if self._marker_state is None or (state != self._marker_state).any():
+            self._marker_state = state.copy()
+            self._markers.choose(skin.patch_faces(state == MARKER_NOW, state == MARKER_LATELY))
+
     def _update_axes(self, scene: HandScene, wanted: bool) -> None:
         """Show the frame B of each segment at its joint."""
-        for i, body in enumerate(self._axes):
-            body.show(wanted)
-            if wanted:
-                segment = i // len(AXIS_COLOURS)
-                body.move(scene.segment_R[segment], scene.segment_p[segment])
+        if not wanted:
+            self._axes.hide()
+            return
+        R, p = scene.segment_R, scene.segment_p
+        self._axes.place(self._axes_shown, np.concatenate([R, R, R]), np.concatenate([p, p, p]))
 
     def _update_trail(self, scene: HandScene, wanted: bool, orbit: Orbit) -> None:
         there = wanted and bool(np.isfinite(scene.trail).all())

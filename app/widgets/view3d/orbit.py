@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
@@ -53,6 +55,13 @@ class Orbit:
         s = np.sin(self.elevation)
         c = np.cos(self.elevation)
         return np.array([-s * np.cos(self.azimuth), -s * np.sin(self.azimuth), c])
+
+    @property
+    def axes(self) -> Vector:
+        """(3, 3): columns right, up, and towards the viewer."""
+        s, c = math.sin(self.elevation), math.cos(self.elevation)
+        sin, cos = math.sin(self.azimuth), math.cos(self.azimuth)
+        return np.array([[-sin, -s * cos, c * cos], [cos, -s * sin, c * sin], [0.0, c, s]])
 
     def turn(self, azimuth: float, elevation: float) -> None:
         self.azimuth += azimuth

@@ -6,6 +6,7 @@ the whole window in GL, which halves the frame rate. `QWidget.grab` captures it.
 
 from __future__ import annotations
 
+import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
@@ -78,10 +79,12 @@ class PaintedView(QWidget):
         painter.drawText(words, flags, self._caption)
 
     def _paint_labels(self, painter: QPainter) -> None:
-        R_GC, p_GC = camera_pose(self._orbit)
+        if not self._labels:
+            return
+        R_GC, p_GC = self.scene.camera or camera_pose(self._orbit)
         focal = focal_px(self.height())
-        for label in self._labels:
-            x, y, z = R_GC.T @ (label.p_G - p_GC)
+        points = (np.array([label.p_G for label in self._labels]) - p_GC) @ R_GC
+        for label, (x, y, z) in zip(self._labels, points.tolist(), strict=True):
             if z > NEAR:
                 painter.setPen(QColor(label.colour))
                 u, v = self.width() / 2 + focal * x / z, self.height() / 2 + focal * y / z

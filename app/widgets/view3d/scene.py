@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import IntEnum
 from typing import Protocol
@@ -54,6 +55,16 @@ class DrawnBody(Protocol):
         """Set a rotation (3, 3), multiplied by a size, and a position (3,), both in G."""
 
 
+class DrawnGroup(Protocol):
+    """Several shapes in the scene that are moved together; initially hidden."""
+
+    def place(self, shown: BoolVector, R: Array, p: Array) -> None:
+        """Which of the n bodies are drawn (n,); rotations (n, 3, 3), each multiplied by a size, and
+        positions (n, 3), in G."""
+
+    def hide(self) -> None: ...
+
+
 class DrawnSurface(Protocol):
     """A deformable surface in the scene."""
 
@@ -91,6 +102,9 @@ class BodyScene(Protocol):
 
     def add(self, shape: Shape, look: BodyLook) -> DrawnBody:
         """Add a body at the origin."""
+
+    def add_group(self, shapes: Sequence[Shape], looks: Sequence[BodyLook]) -> DrawnGroup:
+        """Add a body for each shape."""
 
     def add_surface(self, surface: Surface) -> DrawnSurface:
         """Add a surface, initially hidden."""

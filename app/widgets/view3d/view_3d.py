@@ -148,8 +148,9 @@ class View3D(QWidget):
 
     def set_labels(self, labels: Sequence[Label]) -> None:
         """Set short texts next to points of G, drawn over everything."""
-        self._labels = tuple(labels)
-        self._write_labels()
+        if tuple(labels) != self._labels:  # by identity
+            self._labels = tuple(labels)
+            self._write_labels()
 
     def _write_labels(self) -> None:
         if self._view is not None:

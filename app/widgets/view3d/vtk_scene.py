@@ -5,6 +5,8 @@ It uses VTK directly; only the window comes from pyvistaqt.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
@@ -153,6 +155,24 @@ class VtkBody:
         self._pose.DeepCopy(T.ravel().tolist())
 
 
+class VtkGroup:
+    """Meshes drawn by VTK that are moved together."""
+
+    def __init__(self, bodies: Sequence[VtkBody]) -> None:
+        self._bodies = bodies
+        self.hide()
+
+    def place(self, shown: BoolVector, R: Array, p: Array) -> None:
+        for k, body in enumerate(self._bodies):
+            body.show(bool(shown[k]))
+            if shown[k]:
+                body.move(R[k], p[k])
+
+    def hide(self) -> None:
+        for body in self._bodies:
+            body.show(False)
+
+
 class VtkScene:
     """The contents of a VTK renderer."""
 
@@ -174,6 +194,9 @@ class VtkScene:
         drawn.SetLighting(len(mesh.normals) > 0)  # lines are not lit
         self._renderer.AddActor(body.actor)
         return body
+
+    def add_group(self, shapes: Sequence[Shape], looks: Sequence[BodyLook]) -> VtkGroup:
+        return VtkGroup([self.add(*each) for each in zip(shapes, looks, strict=True)])
 
     def add_surface(self, surface: Surface) -> VtkSurface:
         body = VtkSurface(surface, self._renderer, outlined=False)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -16,7 +17,7 @@ from app.widgets.view3d.raster.solids import BLOCK, CAPSULE, DISC, LINES
 from app.widgets.view3d.raster.surface_rows import RasterSurface, SurfaceRows
 from app.widgets.view3d.scene import BodyLook, GroundLines, rgb
 from app.widgets.view3d.shapes import Block, CapsuleShape, Disc, Lines, Shape, Surface, turn_x_to
-from tracker.kernels.arrays import UInt32Matrix
+from tracker.kernels.arrays import BoolVector, UInt32Matrix
 from tracker.messages import Array, IntArray
 
 
@@ -47,6 +48,20 @@ class RasterBody:
         self._scene.p_GB[self._row] = p
 
 
+class RasterGroup:
+    """Consecutive rows of the scene's arrays."""
+
+    def __init__(self, scene: RasterScene, rows: slice) -> None:
+        self._scene, self._rows = scene, rows
+
+    def place(self, shown: BoolVector, R: Array, p: Array) -> None:
+        scene, rows = self._scene, self._rows
+        scene.shown[rows], scene.R_GB[rows], scene.p_GB[rows] = shown, R, p
+
+    def hide(self) -> None:
+        self._scene.shown[self._rows] = False
+
+
 class RasterScene:
     """Its arrays are the arguments of `image.draw`."""
 
@@ -56,6 +71,7 @@ class RasterScene:
         self._image: UInt32Matrix = np.empty((0, 0), np.uint32)
         self._backdrop: UInt32Matrix = np.empty((0, 0), np.uint32)
         self._numbers = np.empty((0, 0), np.int32)
+        self.camera: tuple[Array, Array] | None = None  # pose of the last image, `camera_pose`
         self.clear()
 
     def clear(self) -> None:
@@ -104,8 +120,15 @@ class RasterScene:
             self.owner = np.concatenate([self.owner, np.full(len(shape.pairs), row)])
         return RasterBody(self, row, slice(first, len(self.points)))
 
+    def add_group(self, shapes: Sequence[Shape], looks: Sequence[BodyLook]) -> RasterGroup:
+        first = len(self.kinds)
+        for shape, look in zip(shapes, looks, strict=True):
+            self.add(shape, look).show(False)
+        return RasterGroup(self, slice(first, len(self.kinds)))
+
     def render(self, orbit: Orbit, width: int, height: int) -> UInt32Matrix:
         """Render the scene: (height, width) of 0xFFRRGGBB, valid until the next call."""
+        self.camera = camera_pose(orbit)
         if self._image.shape != (height, width):
             self._image = np.empty((height, width), np.uint32)
             self._backdrop = np.empty((height, width), np.uint32)
@@ -114,8 +137,7 @@ class RasterScene:
             red, green, blue = np.rint(255 * self._background).astype(np.uint32)
             self._image.fill(0xFF000000 | red << 16 | green << 8 | blue)
             return self._image
-        R_GC, p_GC = camera_pose(orbit)
-        self._draw(Pinhole(R_GC, p_GC, focal_px(height), 0.5 * width, 0.5 * height))
+        self._draw(Pinhole(*self.camera, focal_px(height), 0.5 * width, 0.5 * height))
         return self._image
 
     def _any_shown(self) -> bool:
@@ -139,9 +161,9 @@ class RasterScene:
 
 def camera_pose(orbit: Orbit) -> tuple[Array, Array]:
     """R_GC (3, 3), whose columns are the image's right, its down, and forward; p_GC (3,) m."""
-    right = np.cross(orbit.up, orbit.direction)
-    R_GC = np.stack([right, -orbit.up, -orbit.direction], axis=1)
-    return np.ascontiguousarray(R_GC), np.ascontiguousarray(orbit.eye, float)
+    R_GC = orbit.axes
+    R_GC[:, 1:] *= -1.0
+    return R_GC, np.ascontiguousarray(orbit.eye, float)
 
 
 def focal_px(height: int) -> float:

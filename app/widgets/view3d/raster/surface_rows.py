@@ -22,6 +22,7 @@ class SurfaceRows:
             np.empty((0, 3), np.int64),
             np.empty(0, np.int64),
         )
+        self._surfaces: list[RasterSurface] = []
         self._samples = Samples(np.empty((4, 0, 0), np.float32), np.empty((4, 0, 0), np.int32))
 
     def add(self, surface: Surface) -> RasterSurface:
@@ -38,11 +39,13 @@ class SurfaceRows:
             np.concatenate([rows.part, np.full(len(surface.faces), NOTHING)]),
         )
         stop = faces + len(surface.faces)
-        return RasterSurface(self, surface, slice(first, first + many), slice(faces, stop))
+        made = RasterSurface(self, surface, slice(first, first + many), slice(faces, stop))
+        self._surfaces.append(made)
+        return made
 
     @property
     def any_shown(self) -> bool:
-        return bool((self.rows.part >= 0).any())
+        return any(surface.shown for surface in self._surfaces)
 
     def samples(self, height: int, width: int) -> Samples:
         """Buffers for an image of this size; empty without surfaces."""
@@ -61,6 +64,7 @@ class RasterSurface:
         self._owner, self._surface, self._points, self._faces = owner, surface, points, faces
         self._chosen: BoolVector | None = None
         self._shown = False
+        self._dress: Array | None = None
 
     @property
     def shown(self) -> bool:
@@ -87,4 +91,5 @@ class RasterSurface:
         rows = self._owner.rows
         rows.points[self._points] = points
         rows.normals[self._points] = normals
-        rows.dress[self._points] = dress
+        if dress is not self._dress:  # it changes less often than the points
+            rows.dress[self._points], self._dress = dress, dress
