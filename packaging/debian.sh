@@ -26,7 +26,7 @@ find "$root/opt" -name __pycache__ -prune -exec rm -rf {} +
 ln -s /opt/glovetrack/glovetrack "$root/usr/bin/glovetrack"
 install -Dm644 $ours/glovetrack.desktop -t "$root/usr/share/applications"
 install -Dm644 $ours/glovetrack.xml -t "$root/usr/share/mime/packages"
-install -Dm644 $ours/70-glovetrack.rules -t "$root/usr/lib/udev/rules.d"
+install -Dm644 resources/udev/70-glovetrack.rules -t "$root/usr/lib/udev/rules.d"
 install -Dm644 resources/icons/glovetrack.svg -t "$root/usr/share/icons/hicolor/scalable/apps"
 install -Dm644 resources/icons/glovetrack.png -t "$root/usr/share/icons/hicolor/256x256/apps"
 install -Dm644 "$bundle/LICENCES.txt" "$root/usr/share/doc/glovetrack/copyright"

@@ -5,5 +5,5 @@ from importlib.resources.abc import Traversable
 
 
 def folder(kind: str) -> Traversable:
-    """The folder ``kind``: hands, gloves, colours, icons, meshes, schemas or firmware."""
+    """The folder ``kind``: hands, gloves, colours, icons, meshes, schemas, firmware or udev."""
     return files(__name__) / kind

@@ -25,12 +25,14 @@ from app.engines.engine import EngineSetup
 from app.platform.tasks import JobProgress, RunningJob, TaskOwner
 from app.viewmodels.states import BAD, GOOD, WARN
 from app.widgets.measures import APART, NEAR
+from app.window.udev_rule import show_rule
 from app.words import error_text, notice_text
 from tracker.base.errors import GlovetrackError
 from tracker.base.files import write_whole
 from tracker.doctor.command import report_text
 from tracker.doctor.finding import Finding, Result, Verdict, examine
 from tracker.doctor.machine import Machine
+from tracker.doctor.permissions import RULE_REMEDIES
 
 LOOKS = {Verdict.OK: GOOD, Verdict.WARNING: WARN, Verdict.ERROR: BAD}
 SIZE = (980, 560)
@@ -94,6 +96,10 @@ class DoctorDialog(QDialog):
         self.save = self.buttons.addButton(self.tr("Save report…"), action)
         self.again.clicked.connect(self.start)
         self.save.clicked.connect(self._ask_where_to_save)
+        self.rule = self.buttons.addButton(self.tr("Udev rule…"), action)
+        self.rule.setToolTip(self.tr("Show the rule that gives access to devices, and install it"))
+        self.rule.clicked.connect(lambda: show_rule(self._tasks, self))
+        self.rule.hide()
         self.buttons.rejected.connect(self.close)
 
     def start(self) -> None:
@@ -101,6 +107,7 @@ class DoctorDialog(QDialog):
         machine = self._machine()
         results = self._results = []
         self.table.setRowCount(0)
+        self.rule.hide()
         self._set_running(True)
         self.summary.setText(self.tr("Checking… Devices in use by this window are not tested."))
 
@@ -123,6 +130,8 @@ class DoctorDialog(QDialog):
     def _add(self, finding: Finding) -> None:
         look = LOOKS[finding.verdict]
         row = self.table.rowCount()
+        if finding.remedy is not None and finding.remedy.code in RULE_REMEDIES:
+            self.rule.show()
         self.table.insertRow(row)
         texts = (
             f"{look.sign} {self._verdict(finding.verdict)}",

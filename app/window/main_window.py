@@ -52,6 +52,7 @@ from app.window.set_up_dialogs import SetUpDialogs
 from app.window.sources import DEVICES, Drops, Sources
 from app.window.status_bar import StatusBar
 from app.window.ticker import Ticker
+from app.window.udev_rule import show_rule
 from app.window.window_commands import Targets, add_commands, add_help, enable_commands
 
 USUAL = (1440, 900)
@@ -209,6 +210,7 @@ class MainWindow(QMainWindow):
         self.set_up.changed.connect(self._show_set_up)
         self.sources.devices_asked.connect(self._show_set_up)
         self.layouts.chosen_early.connect(self._show_set_up_list)
+        self.sources.rule_asked.connect(lambda: show_rule(self.tasks, self))
         self.sources.set_up_asked.connect(lambda: self.show_panel("checklist"))
         self.cameras.set_up_asked.connect(self.set_up.open_camera)
         self.start_page.demo.connect(lambda: self.sources.open_demo())

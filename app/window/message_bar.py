@@ -288,7 +288,7 @@ class MessageRouter(QObject):
         setup = self._host.setup
         if setup is None or setup.player is not None:
             return
-        if event.kind == "error":
+        if event.kind == "error" or event.code == "glove.port_denied":
             self._devices.tell_of_devices(event_text(event))
         elif event.kind == "device" and event.code.startswith(RESETS):
             self._messages.say(event_text(event), good=True)

@@ -24,6 +24,7 @@ from app.platform.tasks import JobProgress
 from app.storage.settings import AppSettings, SettingsStore
 from app.viewmodels.recording import RecordingPlan
 from app.window.message_bar import MessageBar
+from tracker.doctor.permissions import RULES
 
 if TYPE_CHECKING:
     from tracker.simulation.camera_device import DemoCamera
@@ -89,6 +90,7 @@ class Sources(QObject):
 
     devices_asked = Signal()
     set_up_asked = Signal()
+    rule_asked = Signal()
 
     def __init__(
         self, host: EngineHost, store: SettingsStore, messages: MessageBar, window: QWidget
@@ -191,8 +193,10 @@ class Sources(QObject):
     def tell_of_devices(self, text: str) -> None:
         """Show what is missing, with a button to the checklist, until devices are chosen again."""
         self.looking_for_devices = False
-        show = (self.tr("Show checklist"), self.set_up_asked.emit)
-        self._messages.say(text, show, about=DEVICES)
+        actions = [(self.tr("Show checklist"), self.set_up_asked.emit)]
+        if RULES in text:  # access was denied, and the sentence names the remedy
+            actions.insert(0, (self.tr("Udev rule…"), self.rule_asked.emit))
+        self._messages.say(text, *actions, about=DEVICES)
         if self._host.setup is None:
             self.plugged.begin()
 

@@ -9,6 +9,8 @@ from tracker.doctor.finding import Finding
 from tracker.doctor.machine import Machine
 
 RULES = "70-glovetrack.rules"
+RULE_REMEDIES = ("doctor.join_group", "doctor.install_rule")
+"""Codes of remedies that the rule is one of."""
 RULE_FOLDERS = ("etc/udev/rules.d", "usr/lib/udev/rules.d", "lib/udev/rules.d")
 
 

@@ -57,6 +57,12 @@ TEXTS = {
         "Install the package, or copy the rule to /etc/udev/rules.d: it gives access to new "
         "devices and sets the latency timer of USB adapters."
     ),
+    "doctor.no_pkexec": (
+        "pkexec is not installed. Copy the rule to {target} as an administrator, then run: "
+        "udevadm control --reload"
+    ),
+    "doctor.rule_not_authorized": "The rule was not installed: the request was not authorized.",
+    "doctor.rule_failed": "The rule was not installed: {why}",
     # ---- gloves
     "doctor.no_port": "There is no USB serial port.",
     "doctor.plug_glove": "Plug the glove in.",
