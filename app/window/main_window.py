@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QApplication, QMainWindow, QWidget
 
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
+from app.jobs.drift_learning import DriftLearner
 from app.jobs.outputs import Outputs
 from app.jobs.pose_reset import PoseReset
 from app.jobs.record_key import RecordKey
@@ -73,6 +74,7 @@ class MainWindow(QMainWindow):
         self.outputs = Outputs(self.host, self.store, self.tasks, self)
         self.record_key = RecordKey(self.host, self.plan, self)
         self.pose_reset = PoseReset(self.host, self.store, self)
+        self.drift = DriftLearner(self.host, self.store, self)
         self.remote = RemoteControl(self.host, self.plan, self.store, self.tasks, self)
         self._make_panels()
         self._make_frame()

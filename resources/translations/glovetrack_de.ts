@@ -5691,6 +5691,16 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/doctor.py" />
+      <source>Udev rule…</source>
+      <translation>Udev-Regel …</translation>
+    </message>
+    <message>
+      <location filename="app/window/doctor.py" />
+      <source>Show the rule that gives access to devices, and install it</source>
+      <translation>Die Regel anzeigen, die Zugriff auf Geräte gibt, und installieren</translation>
+    </message>
+    <message>
+      <location filename="app/window/doctor.py" />
       <source>Checking… Devices in use by this window are not tested.</source>
       <translation>Prüfung läuft… Geräte, die dieses Fenster benutzt, werden nicht geprüft.</translation>
     </message>
@@ -5946,11 +5956,6 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/sources.py" />
-      <source>Show checklist</source>
-      <translation>Checkliste zeigen</translation>
-    </message>
-    <message>
-      <location filename="app/window/sources.py" />
       <source>The demo</source>
       <translation>Die Demo</translation>
     </message>
@@ -5958,6 +5963,11 @@ change {}: {}</source>
       <location filename="app/window/sources.py" />
       <source>Starting the demo</source>
       <translation>Demo wird gestartet</translation>
+    </message>
+    <message>
+      <location filename="app/window/sources.py" />
+      <source>Show checklist</source>
+      <translation>Checkliste zeigen</translation>
     </message>
     <message>
       <location filename="app/window/sources.py" />
@@ -5998,6 +6008,56 @@ change {}: {}</source>
       <location filename="app/window/ticker.py" />
       <source>Panel {} failed and is paused ({}: {}). Everything else continues.</source>
       <translation>Das Feld {} ist fehlgeschlagen und angehalten ({}: {}). Alles andere läuft weiter.</translation>
+    </message>
+    <message>
+      <location filename="app/window/udev_rule.py" />
+      <source>Installing the udev rule</source>
+      <translation>Udev-Regel wird installiert</translation>
+    </message>
+    <message>
+      <location filename="app/window/udev_rule.py" />
+      <source>Access to gloves and cameras</source>
+      <translation>Zugriff auf Handschuhe und Kameras</translation>
+    </message>
+    <message>
+      <location filename="app/window/udev_rule.py" />
+      <source>The udev rule</source>
+      <translation>Die udev-Regel</translation>
+    </message>
+    <message>
+      <location filename="app/window/udev_rule.py" />
+      <source>&amp;Copy</source>
+      <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+      <location filename="app/window/udev_rule.py" />
+      <source>&amp;Install…</source>
+      <translation>&amp;Installieren …</translation>
+    </message>
+    <message>
+      <location filename="app/window/udev_rule.py" />
+      <source>The system asks for an administrator's password</source>
+      <translation>Das System fragt nach dem Passwort eines Administrators</translation>
+    </message>
+    <message>
+      <location filename="app/window/udev_rule.py" />
+      <source>The rule is in the clipboard.</source>
+      <translation>Die Regel ist in der Zwischenablage.</translation>
+    </message>
+    <message>
+      <location filename="app/window/udev_rule.py" />
+      <source>Waiting for the administrator's password…</source>
+      <translation>Warten auf das Passwort des Administrators …</translation>
+    </message>
+    <message>
+      <location filename="app/window/udev_rule.py" />
+      <source>The rule is installed. Unplug the devices, then plug them in again.</source>
+      <translation>Die Regel ist installiert. Trennen Sie die Geräte, und schließen Sie sie wieder an.</translation>
+    </message>
+    <message>
+      <location filename="app/window/udev_rule.py" />
+      <source>With this udev rule, the person at the screen may use USB serial adapters and cameras. It belongs in {}.</source>
+      <translation>Mit dieser udev-Regel darf die Person am Bildschirm serielle USB-Adapter und Kameras benutzen. Sie gehört nach {}.</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -10131,8 +10191,18 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>The recordings have no rest of a second. Lay the glove down at the beginning and at the end.</source>
-      <translation>In den Aufnahmen ruht der Handschuh nie eine Sekunde lang. Legen Sie ihn am Anfang und am Ende hin.</translation>
+      <source>The recordings have no rest of three seconds. Lay the glove down at the beginning and at the end.</source>
+      <translation>Die Aufnahmen enthalten keine Ruhe von drei Sekunden. Legen Sie den Handschuh am Anfang und am Ende ab.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Glove {glove}: the change of the biases with the temperature was learned for {imus} IMUs; its uncertainty fell from {before:.3f} to {after:.3f} °/s per °C. {file} contains the result, which is used from the next start on.</source>
+      <translation>Handschuh {glove}: Die Änderung der Nullpunktfehler mit der Temperatur wurde für {imus} IMUs gelernt; ihre Unsicherheit sank von {before:.3f} auf {after:.3f} °/s je °C. {file} enthält das Ergebnis, das ab dem nächsten Start verwendet wird.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Glove {glove}: the biases of the IMUs {imus} do not change with the temperature as its file states, so nothing was learned. Lay the glove down for ten seconds before and after the next recording; if this message returns, remove the key drift from the file.</source>
+      <translation>Handschuh {glove}: Die Nullpunktfehler der IMUs {imus} ändern sich mit der Temperatur nicht so, wie es in seiner Datei steht; deshalb wurde nichts gelernt. Legen Sie den Handschuh vor und nach der nächsten Aufnahme zehn Sekunden lang ab; erscheint diese Meldung wieder, entfernen Sie den Schlüssel drift aus der Datei.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -10508,6 +10578,21 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>Install the package, or copy the rule to /etc/udev/rules.d: it gives access to new devices and sets the latency timer of USB adapters.</source>
       <translation>Installieren Sie das Paket, oder kopieren Sie die Regel nach /etc/udev/rules.d: Sie erlaubt den Zugriff auf neue Geräte und stellt die Wartezeit von USB-Adaptern ein.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>pkexec is not installed. Copy the rule to {target} as an administrator, then run: udevadm control --reload</source>
+      <translation>pkexec ist nicht installiert. Kopieren Sie die Regel als Administrator nach {target}, und führen Sie aus: udevadm control --reload</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The rule was not installed: the request was not authorized.</source>
+      <translation>Die Regel wurde nicht installiert: Die Anfrage wurde nicht genehmigt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The rule was not installed: {why}</source>
+      <translation>Die Regel wurde nicht installiert: {why}</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />

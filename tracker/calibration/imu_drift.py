@@ -18,11 +18,15 @@ from tracker.glove.correction import ROOM_C
 from tracker.glove.model import ImuDrift
 from tracker.messages import Array, IntArray
 
-WINDOW_S = 1.0
+WINDOW_S, LEAST_WINDOWS = 1.0, 3
+"""s of packets that are judged together, and how many of them are a rest."""
 STILL = np.deg2rad(1.0)
 """rad/s: largest standard deviation of a gyroscope's axis in a window at rest."""
 SLOWEST = np.deg2rad(10.0)
 """rad/s: a larger mean is a rotation; biases are within ±5 °/s."""
+STEADY = np.deg2rad(0.15)
+"""rad: largest change of the direction of gravity from a window to the next one at rest. A worn
+hand sways by a degree, which is not a change of the bias."""
 
 
 class _Sizes(NamedTuple):
@@ -60,11 +64,31 @@ def rests_of(t: Array, celsius: Array, gyro: Array, accel: Array) -> Rests:
     count = len(t) // size
     windows = [x[: count * size].reshape(count, size, *x.shape[1:]) for x in (celsius, gyro, accel)]
     means = [w.mean(axis=1) for w in windows]
-    still = (windows[1].std(axis=1).max(axis=1) < STILL) & np.isfinite(means[0])
-    still &= (np.abs(means[1]).max(axis=1) < SLOWEST) & np.isfinite(means[2]).all(axis=1)
-    begins = still & ~np.concatenate([[False], still[:-1]])
+    return at_rest(windows[1].std(axis=1).max(axis=1), *means)
+
+
+def at_rest(spread: Array, celsius: Array, gyro: Array, accel: Array) -> Rests:
+    """Those of one IMU's windows that are at rest: ``spread`` (m,) is the largest standard
+    deviation of an axis of the gyroscope, the others are means (m,) and (m, 3); windows are a
+    second each, in order. A rest has at least `LEAST_WINDOWS`."""
+    still = (spread < STILL) & np.isfinite(celsius)
+    still &= (np.abs(gyro).max(axis=1) < SLOWEST) & np.isfinite(accel).all(axis=1)
+    steady = _turned(accel) < STEADY
+    moved = still[:-1] & still[1:] & ~steady
+    still &= ~(np.append(moved, False) | np.append(False, moved))
+    begins = still & ~np.append(False, still[:-1])
     rest = np.cumsum(begins) - 1
-    return Rests(rest[still], means[0][still], means[1][still], means[2][still])
+    still &= np.bincount(rest[still], minlength=len(rest) + 1)[rest] >= LEAST_WINDOWS
+    numbers = np.unique(rest[still], return_inverse=True)[1]
+    return Rests(numbers, celsius[still], gyro[still], accel[still])
+
+
+def _turned(accel: Array) -> Array:
+    """(m - 1,) rad between the directions of successive accel (m, 3)."""
+    size = np.linalg.norm(accel, axis=1)
+    cross = np.linalg.norm(np.cross(accel[:-1], accel[1:]), axis=1)
+    turned: Array = cross / np.maximum(size[:-1] * size[1:], 1e-9)
+    return turned
 
 
 def fit_drift(sessions: Sequence[Rests], before: ImuDrift | None = None) -> ImuDrift | None:

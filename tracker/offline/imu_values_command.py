@@ -29,7 +29,7 @@ def _add_drift(parser: argparse.ArgumentParser) -> None:
         type=Path,
         nargs="+",
         metavar="SESSION",
-        help="recordings with temperatures, each with rests of a second or more",
+        help="recordings with temperatures, each with rests of three seconds or more",
     )
     _add_files(parser)
 

@@ -203,8 +203,18 @@ TEXTS = {
     ),
     "imu_drift.other_glove": "{path} is a recording of another glove: it has the IMU {imu}.",
     "imu_drift.no_rest": (
-        "The recordings have no rest of a second. Lay the glove down at the beginning and at the "
-        "end."
+        "The recordings have no rest of three seconds. Lay the glove down at the beginning and "
+        "at the end."
+    ),
+    "imu_drift.learned": (
+        "Glove {glove}: the change of the biases with the temperature was learned for {imus} IMUs; "
+        "its uncertainty fell from {before:.3f} to {after:.3f} °/s per °C. {file} contains the "
+        "result, which is used from the next start on."
+    ),
+    "imu_drift.contradicted": (
+        "Glove {glove}: the biases of the IMUs {imus} do not change with the temperature as its "
+        "file states, so nothing was learned. Lay the glove down for ten seconds before and "
+        "after the next recording; if this message returns, remove the key drift from the file."
     ),
     "gloves.exchanged": (
         "The two gloves are exchanged: each uses the files of the other hand. Choose the "
