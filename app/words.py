@@ -1,6 +1,6 @@
-"""Words for the user in the user's language, for code that knows no Qt: view-models.
+"""Texts in the user's language, for code that does not import Qt: view-models.
 
-Widgets have ``self.tr``, which comes to the same catalogue (`app.platform.translation`).
+Widgets use ``self.tr``, which has the same catalogue (`app.platform.translation`).
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from tracker.messages import Event
 
 
 class _Catalogue:
-    """What turns words of the source into the user's; as they stand until one is in use."""
+    """Translates texts of the source; unchanged until a language is in use."""
 
     look_up: Callable[[str], str | None] | None = None
     decimal = "."
@@ -23,19 +23,19 @@ def use(
     look_up: Callable[[str], str | None] | None,
     decimal: str = ".",
 ) -> None:
-    """Translate by ``look_up`` from now on, which gives None for a text that it does not have.
+    """Translates with ``look_up`` from now on, which returns None for an unknown text.
     ``decimal``: the separator in numbers."""
     _Catalogue.look_up, _Catalogue.decimal = look_up, decimal
 
 
 def tr(text: str) -> str:
-    """``text`` in the user's language. Values are put in afterwards: ``tr("{} m").format(x)``."""
+    """``text`` in the user's language. Values are inserted afterwards: ``tr("{} m").format(x)``."""
     found = _Catalogue.look_up(text) if _Catalogue.look_up is not None else None
     return found or text
 
 
 def mark(text: str) -> str:
-    """``text`` as it is, listed for translation: for tables, whose words pass `tr` when shown."""
+    """``text`` unchanged, listed for translation: for tables, whose words pass `tr` when shown."""
     return text
 
 

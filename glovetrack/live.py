@@ -88,7 +88,7 @@ class Estimate:
 
 
 class LiveTracker:
-    """Tracks on live devices in a ``with``; iterating over it gives estimates as they are made.
+    """Tracks on live devices in a ``with``; iterating over it gives each new estimate.
 
     ::
 

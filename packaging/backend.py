@@ -8,7 +8,7 @@ setuptools makes the wheel of the copy. `README.md` next to this file explains w
 Nothing else is changed: code must not spell a module's name in a string (`__package__` tells it).
 Compiled kernels in the tree, and with them the compiled OpenXR layer, are included and make it a
 wheel for this kind of machine (`packaging/wheel.sh`); without kernels it is one for every machine.
-An editable install, as the Makefile makes it, leaves the tree as it is.
+An editable install, as the Makefile makes it, does not change the tree.
 """
 
 from __future__ import annotations
@@ -161,7 +161,7 @@ def installed_project(text: str) -> str:
 
 
 def with_full_names(code: str) -> str:
-    """Python code whose import statements name our packages as they are installed."""
+    """Python code whose import statements have the installed names of our packages."""
     lines = code.splitlines(keepends=True)
     for node in ast.walk(ast.parse(code)):
         if isinstance(node, ast.ImportFrom) and node.level == 0 and _is_ours(node.module or ""):

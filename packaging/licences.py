@@ -25,7 +25,7 @@ TEXT_NAME = re.compile(r"^(licen[cs]e|copying|notice)", re.IGNORECASE)
 COPYLEFT = re.compile(r"(?<!L)(?<!Lesser )\bA?GPL|Affero|(?<!Lesser )General Public", re.IGNORECASE)
 # GCC's run-time libraries; the small program by which PyInstaller starts ours.
 FFMPEG = re.compile(rb"lib(?:av|sw)[a-z]+ license: ([ -~]+)")
-"""What FFmpeg's libraries say of the options they were built with; the GPL is one."""
+"""Build options that FFmpeg's libraries report; the GPL is one."""
 EXCEPTION = re.compile(
     r"\bWITH GCC-exception"
     r"|special exception which allows to use PyInstaller to build and distribute non-free programs"

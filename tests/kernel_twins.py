@@ -53,7 +53,7 @@ CLOSE_FAST = 1e-4
 OTHERWISE = {
     "tracker.vision.hue_table._fill_table": "16 million colours; test_detector asks OpenCV",
 }
-"""Kernels that Python would take minutes for, and what stands for their twin."""
+"""Kernels for which Python would take minutes, and their substitutes."""
 
 
 class Twins:
@@ -200,14 +200,14 @@ def _name(kernel: Any) -> str:
 
 
 class Guard(NamedTuple):
-    """What a kernel's annotation says of one argument."""
+    """One argument as described by a kernel's annotation."""
 
     may_write: bool
     members: tuple[Guard, ...]  # of a tuple
 
 
 def _guarded(function: Any, args: tuple[Any, ...], other: Callable[[Any], Any]) -> tuple[Any, ...]:
-    """``other`` arrays in place of those given, that can be written where the kernel says so."""
+    """``other`` arrays in place of those given, that are writable where the kernel requires it."""
     pairs = zip(args, _guards(function), strict=False)  # what is not given has its default
     return tuple(_guard(value, guard, other) for value, guard in pairs)
 

@@ -39,8 +39,16 @@ def shows(output: str, code: str, **values: object) -> bool:
     template = template_of(code)
     assert template is not None, code
     pattern = ""
-    for literal, name, _, _ in Formatter().parse(template):
+    for literal, name, spec, _ in Formatter().parse(template):
         pattern += re.escape(literal)
         if name is not None:
-            pattern += re.escape(str(values[name])) if name in values else ".*?"
-    return re.search(pattern, output, re.DOTALL) is not None
+            pattern += re.escape(_text(values[name], spec or "")) if name in values else ".*?"
+    spaces = pattern.replace(r"\ ", r"\s+")
+    return re.search(spaces, output, re.DOTALL) is not None
+
+
+def _text(value: object, spec: str) -> str:
+    """As `tracker.base.notices` renders it."""
+    if "|" in spec:
+        return spec.split("|")[value != 1]
+    return format(value, spec) if spec and isinstance(value, int | float) else str(value)

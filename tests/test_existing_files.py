@@ -1,4 +1,4 @@
-"""No command replaces or deletes a file that exists, unless --force says so.
+"""No command replaces or deletes an existing file without --force.
 
 The options are read from the parsers: one that is not listed here fails the first test.
 """

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.notices import shows
 from tracker.cli import main
 from tracker.completion import SCRIPTS, candidates
 
@@ -123,5 +124,5 @@ def test_a_log_file_has_messages_from_info_on_and_replaces_nothing(
     assert logged(capsys.readouterr().err) == ["warning"]
     assert main(["verify", str(session), "--log-file", str(log)]) == 1
     assert logged(log.read_text()) == ["info", "warning"]
-    assert "run.log already exists" in capsys.readouterr().err
+    assert shows(capsys.readouterr().err, "file.exists_force")
     assert before == (logging.getLogger().handlers, logging.getLogger().level)

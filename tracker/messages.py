@@ -53,7 +53,7 @@ class Search(IntEnum):
     """How far an image is searched for a hand that is not seen where it is expected."""
 
     NEAR = 0  # only where it is expected
-    AGAIN = 1  # anywhere, bent as it is by its IMUs
+    AGAIN = 1  # at an arbitrary position, bent according to its IMUs
     FULL = 2  # as if nothing were known of it, where that is needed
 
 
@@ -414,7 +414,7 @@ class Status:
 
 @dataclass(frozen=True, eq=False)
 class EngineState:
-    """All that an engine knows between two messages; recorded, tracking can go on from there.
+    """The state of an engine between two messages; from a recorded one, tracking can continue.
 
     ``t`` comes after the arrival of every message fed before, and is not later than any fed after.
     """
@@ -443,8 +443,8 @@ class RobotState(_Frozen):
 
     command (n,) rad of the joints, joints (n,) rad their positions; palm (7,) and objects
     (m, 7) m and xyzw in the robot's world W (z up); force (5,) N on each fingertip, thumb first.
-    ``holding``: it stands still, because the hand is lost. ``t_sent`` s: when the command left for
-    the robot; NaN of one that a recording drives.
+    ``holding``: it holds its pose, because the hand is lost. ``t_sent`` s: when the command left
+    for the robot; NaN of one that a recording drives.
     """
 
     t: float

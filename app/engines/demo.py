@@ -27,6 +27,7 @@ from app.storage.own_gloves import own_name
 from app.words import tr
 from tracker.base.clock import ClockAnchor
 from tracker.base.errors import DeviceError
+from tracker.base.notices import notice
 from tracker.engine.hands import Hands
 from tracker.engine.kinds import WITHOUT_CAMERA, settings_text
 from tracker.engine.pipeline import Pipeline
@@ -110,7 +111,7 @@ def _setup_with(
     warm_up(first.hand, first.glove, make_detector(profile))
     progress(0.9, tr("devices"))
     if not camera.wait_ready(START_TIMEOUT):
-        raise DeviceError(tr("The simulated camera did not start."))
+        raise DeviceError(notice("window.demo_camera"))
     gloves = _gloves(wearers, glove_process)
     t_0 = time.monotonic() + LEAD
     camera.begin(t_0)

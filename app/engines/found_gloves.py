@@ -10,6 +10,7 @@ from app.storage.bound_gloves import as_bound, bound, bound_of, ports_of
 from app.storage.settings import AppSettings
 from app.words import notice_text, tr
 from tracker.base.errors import DeviceError
+from tracker.base.notices import Notice, notice
 from tracker.glove import library
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -99,10 +100,10 @@ def probe_ports(
     return reports, troubles
 
 
-def _none(troubles: Sequence[str]) -> str:
+def _none(troubles: Sequence[str]) -> Notice:
     if not troubles:
-        return tr("No glove was found on any USB serial port. Plug it in, then try again.")
-    return tr("No glove was found. {}").format(" ".join(troubles))
+        return notice("window.no_glove")
+    return notice("window.no_glove_because", reasons=troubles)
 
 
 def _assigned(

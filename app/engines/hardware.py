@@ -25,9 +25,10 @@ from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
 from app.storage.own_gloves import UNNUMBERED, own_name
 from app.storage.settings import AppSettings
-from app.words import error_text, tr
+from app.words import notice_text, tr
 from tracker.base.clock import ClockAnchor
 from tracker.base.errors import DeviceError, GlovetrackError
+from tracker.base.notices import Notice, notice
 from tracker.calibration.stereo.files import ImportForm, load_rig
 from tracker.engine.hands import Hands
 from tracker.engine.kinds import WITHOUT_CAMERA, settings_text
@@ -182,7 +183,7 @@ class OpenCamera:
 
 def find_devices(progress: JobProgress, settings: AppSettings) -> Found:
     """Search gloves, calibration and camera. Raises DeviceError if there is no device."""
-    missing: list[str] = []
+    missing: list[Notice] = []
     found = _unless_missing(lambda: find_hand_gloves(progress, settings), missing)
     gloves = found.gloves if found is not None else ()
     progress(0.5, tr("camera"))
@@ -195,20 +196,20 @@ def find_devices(progress: JobProgress, settings: AppSettings) -> Found:
         lambda: choose(settings, width, height, FPS, count=count, right_size=right), missing
     )
     if not gloves and camera is None:
-        raise DeviceError(" ".join(missing))
+        raise DeviceError(notice("window.no_devices", problems=missing))
     if rig is not None and camera is not None and camera.source.fps > 0:
         rig = rig_of(calibration, camera.source.fps)
     if gloves and not (rig and camera):
-        missing.append(tr("The hand is tracked by its IMUs alone, so its position is unknown."))
+        missing.append(notice("window.imus_alone"))
     remarks = found.remarks if found is not None else ()
-    return Found(gloves, camera, rig, (*missing, *remarks), calibration)
+    return Found(gloves, camera, rig, (*map(notice_text, missing), *remarks), calibration)
 
 
-def _unless_missing(find: Callable[[], T], missing: list[str]) -> T | None:
+def _unless_missing(find: Callable[[], T], missing: list[Notice]) -> T | None:
     try:
         return find()
     except GlovetrackError as error:
-        missing.append(error_text(error))
+        missing.append(error.notice)
         return None
 
 
@@ -261,10 +262,5 @@ def zed_folders() -> list[Path]:
 def rig_of(calibration: str, fps: float = FPS) -> StereoRig:
     """The calibration that the user chose, of a stereo or a single camera. Raises DeviceError."""
     if not calibration:
-        raise DeviceError(
-            tr(
-                "The camera has no calibration yet. Make or import one under "
-                "Set-up, Camera calibration."
-            )
-        )
+        raise DeviceError(notice("window.no_rig"))
     return load_rig(Path(calibration), ImportForm(WIDTH, HEIGHT, fps=fps))

@@ -124,7 +124,7 @@ class Recording(QObject):
 
     @property
     def begun_at(self) -> float:
-        """The begin of the recording, s of the clock."""
+        """Start time of the recording (s, monotonic clock)."""
         return self._began
 
     @property

@@ -8,8 +8,8 @@ from PySide6.QtCore import QObject, Signal
 
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
-from app.words import tr
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.fusion.chain.calibration.control import renewed
 from tracker.fusion.chain.calibration.measured import measured_profile
 from tracker.fusion.chain.layout import ChainLayout
@@ -22,9 +22,7 @@ def learning_part(engine: Engine) -> LearnsWearer:
     """The engine, if it estimates the wearer's calibration. Raises ConfigError otherwise."""
     if (learner := learner_of(engine)) is not None:
         return learner
-    raise ConfigError(
-        tr("Only the engine chain has a wearer's calibration. Choose it in the Tracking menu.")
-    )
+    raise ConfigError(notice("engine.no_wearer"))
 
 
 class CalibrationCommands(QObject):

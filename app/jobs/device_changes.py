@@ -8,9 +8,9 @@ from pathlib import Path
 from app.engines.engine import EngineSetup
 from app.storage.settings import SettingsStore
 from app.viewmodels.device_settings import CONTROLS, DeviceValue, Value, locks_of
-from app.words import tr
 from tracker.base.errors import DeviceError
 from tracker.base.files import write_with_folder
+from tracker.base.notices import notice
 from tracker.base.toml_reader import read_text
 from tracker.sensors.camera_controls import locks_text
 
@@ -44,9 +44,7 @@ def _set_rate(setup: EngineSetup, rate_hz: int) -> None:
     try:
         setup.connection.device.want_rate(rate_hz)
     except ValueError as error:
-        raise DeviceError(
-            tr("The glove's settings cannot be changed: {}.").format(error)
-        ) from error
+        raise DeviceError(notice("window.glove_settings", why=str(error))) from error
 
 
 def save_settings(text: str, path: Path) -> None:

@@ -11,6 +11,7 @@ from app.viewmodels.names import engine_name
 from app.words import tr
 from tracker.base.errors import FileError
 from tracker.base.files import free_path
+from tracker.base.notices import notice
 from tracker.offline.options import TrackOptions
 from tracker.session.compare import compare, truth_error_mm
 from tracker.session.reader import SessionReader
@@ -88,5 +89,5 @@ def free_name(source: Path, engine: str) -> Path:
     """
 
     if not source.parent.is_dir():
-        raise FileError(tr("The folder {} no longer exists.").format(source.parent))
+        raise FileError(notice("window.no_folder", folder=source.parent))
     return free_path(source.with_name(f"{source.stem}_{engine or 'again'}{source.suffix}"))

@@ -188,7 +188,7 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
         return Path(chosen) if chosen else sessions_folder(self._store.value) / kind.default_file
 
     def set_rule(self, rule: HapticRule) -> None:
-        """Another sphere, or none; one that has no place yet stands at the index fingertip."""
+        """Sets another sphere, or none; one without a position is placed at the index fingertip."""
         if rule.on and not rule.center:
             rule = replace(rule, center=self.fingertip())
         if rule.on and not rule.center:

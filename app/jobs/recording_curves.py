@@ -22,8 +22,9 @@ from app.viewmodels.signal_rows import (
 )
 from app.viewmodels.signals import SignalSource
 from app.viewmodels.two_recordings import TwoRecordings, read_angles
-from app.words import tr
 from tracker.base.errors import FileError
+from tracker.base.files import disk_error
+from tracker.base.notices import notice
 from tracker.live.history import SearchedImage
 from tracker.messages import BlobFrame, Estimate, FrameResult, ImuSample, Status, Tracking
 from tracker.session.motion import Take, read_take
@@ -51,8 +52,7 @@ def csv_of(text: str, path: Path) -> None:
     try:
         path.write_text(text, "utf-8", newline="")
     except OSError as error:
-        words = tr("{} cannot be written: {}.")
-        raise FileError(words.format(path, error.strerror or error)) from error
+        raise disk_error(path, error) from error
 
 
 def read_signals(path: Path, setup: EngineSetup) -> Callable[[JobProgress], RecordingCurves]:
@@ -152,9 +152,7 @@ def two_recordings_job(first: Path, second: Path) -> Job:
             progress(i / 2, path.name)
             recordings.append(read_angles(path))
             if not len(recordings[-1].t):
-                raise FileError(
-                    tr("{} has not been tracked. Choose Track again first.").format(path.name)
-                )
+                raise FileError(notice("window.not_tracked", file=path.name))
         return TwoRecordings(*recordings)
 
     return run

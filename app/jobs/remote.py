@@ -18,6 +18,7 @@ from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
 from app.viewmodels.recording import RecordingPlan, duration_text
 from tracker.base.clock import monotonic
+from tracker.base.notices import notice, plain
 from tracker.hand.names import CHAINS, SIDES
 from tracker.messages import Event, WristPose
 from tracker.streaming.connection import ConnectionSettings
@@ -30,7 +31,7 @@ from tracker.streaming.remote.request import Reply, Request, RequestError, parse
 MOTOR_HZ = 50.0  # maximum rate of commands to one motor; more would only load the glove's line
 MOTORS = tuple(CHAINS)
 LOOK_MS = 250  # interval of checks for contacts that are no longer updated
-CLOSING = "The window is closing."
+CLOSING = notice("remote.closing")
 
 
 class RemoteAnswers(QObject):
@@ -62,7 +63,7 @@ class RemoteAnswers(QObject):
         """Schedule the answer in the window's thread; thread-safe."""
         future: Future[Reply] = Future()
         if self._ended:
-            future.set_result(Reply(False, request.do, CLOSING, id=request.id))
+            future.set_result(Reply.refused(request.do, CLOSING, request.id))
         elif request.do in self._felt:
             future.set_result(replace(self._felt[request.do](request), id=request.id))
         else:
@@ -78,7 +79,7 @@ class RemoteAnswers(QObject):
         except RequestError as error:
             return Reply.refused("", error.notice).as_json()
         if request is None:
-            return Reply(False, "", "That is an answer, not a request.").as_json()
+            return Reply.refused("", notice("remote.not_request")).as_json()
         do = self._felt.get(request.do, self._do)
         return replace(do(request), id=request.id).as_json(with_folder=True)
 
@@ -98,12 +99,12 @@ class RemoteAnswers(QObject):
     def _start(self, request: Request) -> Reply:
         recording, setup = self._host.recording, self._host.setup
         if recording.request is not None:
-            name = recording.request.path.name
-            return Reply(False, request.do, f"{name} is being recorded already.")
+            file = recording.request.path.name
+            return Reply.refused(request.do, notice("remote.recording_already", file=file))
         if setup is None or not self._host.running:
-            return Reply(False, request.do, "Nothing can be recorded: no device is running.")
+            return Reply.refused(request.do, notice("remote.no_device"))
         if setup.live is None:
-            return Reply(False, request.do, "A session that is replayed cannot be recorded.")
+            return Reply.refused(request.do, notice("remote.replayed"))
         problems: list[str] = []
 
         def listen(text: str) -> None:
@@ -118,13 +119,14 @@ class RemoteAnswers(QObject):
         if begun is None and recording.refusal is not None:
             return Reply.refused(request.do, recording.refusal)
         if begun is None:
-            return Reply(False, request.do, " ".join(problems) or "The recording did not begin.")
+            why = plain(" ".join(problems)) if problems else notice("remote.not_begun")
+            return Reply.refused(request.do, why)
         return Reply(True, request.do, f"Recording {begun.path.name}.", begun.path)
 
     def _stop(self, request: Request) -> Reply:
         recording = self._host.recording
         if recording.request is None:
-            return Reply(False, request.do, "Nothing is being recorded.")
+            return Reply.refused(request.do, notice("remote.not_recording"))
         path, elapsed = recording.request.path, recording.elapsed
         recording.end()
         text = f"{path.name} has ended after {duration_text(elapsed)}."
@@ -135,7 +137,7 @@ class RemoteAnswers(QObject):
     def _note(self, request: Request) -> Reply:
         """Add a note, stamped with its arrival time."""
         if self._host.setup is None:
-            return Reply(False, request.do, "There is nothing to note it in: nothing is open.")
+            return Reply.refused(request.do, notice("remote.nothing_open"))
         self._host.notes.add(request.text, request.t, request.data)
         taken = self._host.recording.request
         if taken is None:
@@ -170,15 +172,13 @@ class RemoteAnswers(QObject):
         """Thread-safe, as the glove's link is."""
         glove = self._glove(request.side)
         if glove is None or not self._host.running:
-            return Reply(False, request.do, "No glove with motors is running.")
+            return Reply.refused(request.do, notice("remote.no_motors"))
         if not self._motors[request.side, request.finger].take(request.t):
-            limit = f"A motor takes at most {MOTOR_HZ:.0f} requests a second."
-            return Reply(False, request.do, limit)
+            limit = notice("remote.motor_limit", rate_hz=MOTOR_HZ)
+            return Reply.refused(request.do, limit)
         motor = MOTORS.index(request.finger)
         if not glove.vibrate(motor, request.amplitude, request.duration_ms):
-            return Reply(
-                False, request.do, "The glove's send queue is full; the motor was not run."
-            )
+            return Reply.refused(request.do, notice("remote.queue_full"))
         return Reply(True, request.do, f"The {request.finger} vibrates.")
 
     def _glove(self, side: str) -> GloveDevice | None:
@@ -192,10 +192,10 @@ class RemoteAnswers(QObject):
         """Thread-safe. A contact vibrates while it lasts; its start and end are recorded."""
         setup = self._host.setup
         if setup is None or not self._host.running:
-            return Reply(False, request.do, "Nothing is running that could be touched.")
+            return Reply.refused(request.do, notice("remote.not_running"))
         if not self._motors[request.side, request.finger].take(request.t):
-            limit = f"A finger takes at most {MOTOR_HZ:.0f} contacts a second."
-            return Reply(False, request.do, limit)
+            limit = notice("remote.contact_limit", rate_hz=MOTOR_HZ)
+            return Reply.refused(request.do, limit)
         self._record(self._contacts.tell(request))
         if setup.connection.device is not None:
             strongest = self._contacts.strength(request.finger)
@@ -211,7 +211,7 @@ class RemoteAnswers(QObject):
             if isinstance(pose, WristPose) and hand.side == pose.side and hand.live is not None:
                 hand.live.hand.place(pose)
                 return Reply(True, request.do, "")
-        return Reply(False, request.do, "No glove of this side is running.")
+        return Reply.refused(request.do, notice("remote.no_side"))
 
     def _record(self, events: list[Event]) -> None:
         """Add events to the recording, if there is one."""
@@ -226,7 +226,7 @@ class RemoteAnswers(QObject):
         self._ended = True
         for future in list(self._waiting):
             if future.set_running_or_notify_cancel():
-                future.set_result(Reply(False, "", CLOSING))
+                future.set_result(Reply.refused("", CLOSING))
 
 
 class RemoteControl(Connections[DoorKind[Any], ConnectionSettings]):

@@ -11,10 +11,10 @@ from multiprocessing.connection import Connection
 from typing import Any
 
 from app.platform.tasks import Cancelled, JobProgress
-from app.words import tr
 from tracker.base.child import start_child
 from tracker.base.damage import gather, merged, pass_on
 from tracker.base.errors import GlovetrackError
+from tracker.base.notices import notice
 
 Work = Callable[[Callable[..., None]], Any]
 STEP = 0.01  # minimum progress between two reports, after which cancellation is checked
@@ -43,9 +43,7 @@ def _follow(pipe: Connection, progress: JobProgress) -> Any:
                 progress(value)
                 pipe.send(True)
         except (EOFError, OSError) as error:
-            raise GlovetrackError(
-                tr("The process ended unexpectedly. The computer may be out of memory.")
-            ) from error
+            raise GlovetrackError(notice("window.process_ended")) from error
         if kind == "left out":
             pass_on(value)
         if kind == "done":

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.storage.removed_file import RemovedFile, remove_file
-from app.words import tr
 from tracker.base.errors import FileError
 from tracker.base.files import write_with_folder
+from tracker.base.notices import notice
 
 Image = NDArray[np.uint8]
 MOST = 24
@@ -37,7 +37,7 @@ def read_image(path: Path) -> StoredImage:
     """
     image = cv2.imread(str(path), cv2.IMREAD_COLOR)
     if image is None:
-        raise FileError(tr("{} is not a readable image.").format(path.name))
+        raise FileError(notice("window.image_not_readable", file=path.name))
     pixels = np.asarray(image, np.uint8)
     height, width = pixels.shape[:2]
     if width < 2 * height:
@@ -52,7 +52,7 @@ def write_image(path: Path, shot: StoredImage) -> None:
     sides = [shot.left] if shot.right is None else [shot.left, shot.right]
     ok, data = cv2.imencode(".png", np.hstack(sides), [cv2.IMWRITE_PNG_COMPRESSION, 3])
     if not ok:
-        raise FileError(tr("{}: the image could not be encoded.").format(path.name))
+        raise FileError(notice("window.image_not_encoded", file=path.name))
     write_with_folder(path, data.tobytes())
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from app.words import tr
 from tracker.base.errors import FileError
 from tracker.base.files import write_with_folder
+from tracker.base.notices import notice
 
 
 @dataclass(frozen=True)
@@ -20,9 +20,7 @@ class RemovedFile:
     def put_back(self) -> None:
         """Write it again. Raises FileError, also if the file exists again."""
         if self.path.exists():
-            raise FileError(
-                tr("{} exists again; it is not replaced by the removed one.").format(self.path.name)
-            )
+            raise FileError(notice("window.exists_again", file=self.path.name))
         write_with_folder(self.path, self.data)
 
 
@@ -33,5 +31,5 @@ def remove_file(path: Path) -> RemovedFile:
         path.unlink()
     except OSError as error:
         reason = error.strerror or str(error)
-        raise FileError(tr("{} was not removed: {}.").format(path.stem, reason)) from error
+        raise FileError(notice("window.not_removed", name=path.stem, why=reason)) from error
     return RemovedFile(path, data)

@@ -11,9 +11,9 @@ import logging
 from collections.abc import Iterable
 from pathlib import Path
 
-from app.words import tr
-from tracker.base.errors import FileError
+from tracker.base.errors import DataError, FileError
 from tracker.base.files import disk_error, write_whole
+from tracker.base.notices import notice
 
 SUFFIX = ".tags.json"
 MOST_BYTES = 65536
@@ -35,13 +35,13 @@ def read_tags(session: Path) -> tuple[str, ...]:
     path = tags_path(session)
     try:
         if path.stat().st_size > MOST_BYTES:
-            raise ValueError(tr("it is too large"))
+            raise DataError(notice("window.tags_too_large"))
         words = json.loads(path.read_text("utf-8"))["tags"]
         return tuple(word for word in words if isinstance(word, str))
     except FileNotFoundError:
         return ()
     except (OSError, ValueError, KeyError, TypeError) as error:
-        _log.warning("%s holds no tags: %s", path, error)
+        _log.warning("%s contains no tags: %s", path, error)
         return ()
 
 
@@ -66,6 +66,4 @@ def move_tags(before: Path, after: Path) -> None:
         path.replace(tags_path(after))
     except OSError as error:
         reason = error.strerror or str(error)
-        raise FileError(
-            tr("The tags of {} were not moved with it: {}.").format(before.name, reason)
-        ) from error
+        raise FileError(notice("window.tags_not_moved", file=before.name, why=reason)) from error

@@ -18,10 +18,11 @@ from typing import Any
 
 import platformdirs
 
-from app.words import tr
+from app.words import error_text, tr
 from tracker.base.config import UNKNOWN, from_dict
+from tracker.base.errors import DataError
 from tracker.base.files import free_path, write_with_folder
-from tracker.base.notices import Notice
+from tracker.base.notices import Notice, notice
 
 VERSION = 4
 _log = logging.getLogger(__name__)
@@ -154,16 +155,16 @@ class SettingsStore:
         self.notice = tr(
             "The settings could not be read: {}. The window uses its defaults; the old settings "
             "are saved in {}."
-        ).format(error, renamed_file)
+        ).format(error_text(error), renamed_file)
         _log.warning("%s", self.notice)
 
 
 def _version_of(data: Any) -> int:
     version = data.get("version") if isinstance(data, dict) else None
     if type(version) is not int or version < 1:
-        raise ValueError(tr("they have no version number"))
+        raise DataError(notice("window.settings_no_version"))
     if version > VERSION:
-        raise ValueError(tr("they were written by a later version of Glovetrack"))
+        raise DataError(notice("window.settings_later"))
     return version
 
 

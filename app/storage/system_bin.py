@@ -10,9 +10,9 @@ from pathlib import Path
 from PySide6.QtCore import QFile
 
 from app.storage.session_tags import tags_path
-from app.words import tr
 from tracker.base.errors import FileError
 from tracker.base.files import disk_error
+from tracker.base.notices import notice
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ def to_bin(path: Path) -> Binned:
     """Move a session and its tags to the bin. Raises FileError if there is no bin."""
     done, there = move_to_bin(path)
     if not done:
-        raise FileError(tr("{} cannot be moved to the bin.").format(path.name))
+        raise FileError(notice("window.no_trash", file=path.name))
     moved = [(path, there)]
     if (tags := tags_path(path)).exists():
         moved.append((tags, move_to_bin(tags)[1]))
@@ -55,11 +55,7 @@ def restore(binned: Sequence[Binned]) -> None:
     stay."""
     for session in binned:
         if session.path.exists():
-            raise FileError(
-                tr("{} exists again, so the file was not restored from the bin.").format(
-                    session.path.name
-                )
-            )
+            raise FileError(notice("window.not_restored", file=session.path.name))
         for path, there in session.moved:
             if there is not None:
                 _move_back(there, path)

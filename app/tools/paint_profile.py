@@ -1,6 +1,6 @@
 """``python -m app.tools.paint_profile``: the processor time that a refresh of the window takes.
 
-The demo runs off-screen with all panels in sight. Once the hand is tracked, the window's timer is
+The demo runs off-screen with all panels visible. Once the hand is tracked, the window's timer is
 stopped and panels are refreshed and painted one at a time, so that each has its own row: time of
 its refresh, of its painting, and how much of both was spent in compiled code that does not hold
 Python's lock. What remains is when the engine may have to wait. Times are processor times of the
@@ -101,7 +101,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def paint_profile(choice: DemoChoice, refreshes: int, folder: str | Path) -> PaintProfile:
-    """Of the demo's window, in the layout in which most is in sight."""
+    """The demo's window, in the layout that shows the most panels."""
     from app.storage.settings import SettingsStore
     from app.window.headless_report import wait_until
     from app.window.main_window import MainWindow

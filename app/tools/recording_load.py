@@ -88,7 +88,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def measure(fps: float, seconds: float, folder: Path) -> list[Load]:
-    """The demo, first as it is, then while it records."""
+    """The demo, first without a recording, then while it records."""
     camera = start_camera(choice=DemoChoice(fps))
     from app.storage.settings import SettingsStore
     from app.window.headless_report import wait_until
@@ -96,7 +96,7 @@ def measure(fps: float, seconds: float, folder: Path) -> list[Load]:
     from app.window.sources import demo_factory
 
     store = SettingsStore(folder / "window.json")
-    store.update(job="all")  # the layout in which most is in sight
+    store.update(job="all")  # the layout that shows the most panels
     window = MainWindow(store)
     window.resize(*SIZE)
     window.show()

@@ -125,7 +125,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def memory_mb() -> float:
-    """What this process holds in memory, MB."""
+    """Memory of this process, MB."""
     return round(psutil.Process().memory_info().rss / MB, 1)
 
 
@@ -243,7 +243,7 @@ def soak(minutes: float, choice: DemoChoice, folder: Path, drawn: bool = False) 
     from app.window.sources import demo_factory
 
     store = SettingsStore(folder / "window.json")
-    store.update(job="all")  # the layout in which most is in sight
+    store.update(job="all")  # the layout that shows the most panels
     window = MainWindow(store)
     window.resize(*SIZE)
     keep_pauses_short(window.host)

@@ -1,6 +1,6 @@
 """``python -m app.tools.stream_cost``: how much later poses are with all streams on.
 
-The demo runs in the window, off-screen, with all panels in sight; another process reads every
+The demo runs in the window, off-screen, with all panels visible; another process reads every
 stream. Streams are switched on and off in turns, so that other load on the computer meets both.
 Reported are sample to pose (from the arrival of a packet to its estimate), median and 99 %, without
 and with streams, and the quotients: the median over the pairs of turns, and their range. The

@@ -11,6 +11,7 @@ from app.viewmodels.colour_images import Image
 from app.viewmodels.names import spoken
 from app.words import tr
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.calibration.colours_fit import FoundHue
 from tracker.calibration.colours_fit_markers import MarkerSamples, seen_sides
 from tracker.calibration.colours_image import learn_image
@@ -31,7 +32,7 @@ def image_fit(image: Image | None, profile: ColourProfile, setup: EngineSetup) -
     Raises ConfigError without an image.
     """
     if image is None:
-        raise ConfigError(tr("There is no image yet to fit the colours to."))
+        raise ConfigError(notice("window.no_image_to_fit"))
     size, fx = float(setup.glove.marker_size.mean()), setup.camera.rig.fx
     return lambda: learn_image(image, profile, size, fx)
 
@@ -63,7 +64,7 @@ class MarkerWatch:
     def fit(self, profile: ColourProfile) -> FitWork:
         """Fit to the collected markers. Raises ConfigError if there are none."""
         if len(self._samples) == 0:
-            raise ConfigError(tr("No markers were tracked yet. Fit from the image alone first."))
+            raise ConfigError(notice("window.no_markers_to_fit"))
         taken, images = self._samples.copy(), list(self._images)
         return lambda: _learned(taken, images, profile)
 

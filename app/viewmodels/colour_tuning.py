@@ -27,6 +27,7 @@ from app.viewmodels.names import spoken
 from app.words import tr
 from tracker.base.errors import ConfigError
 from tracker.base.files import write_with_folder
+from tracker.base.notices import notice
 from tracker.calibration.colours_fit import add_pixel, remove_pixel
 from tracker.calibration.colours_image import Pick, learn_picked
 from tracker.calibration.colours_learn import with_colour
@@ -221,10 +222,8 @@ class ColourTuning:
         """Import a profile. Raises GlovetrackError if it does not fit this glove."""
         loaded = load_profile(path)
         if loaded.hue_names != self.profile.hue_names:
-            names = ", ".join(map(spoken, self.profile.hue_names))
-            raise ConfigError(
-                tr("{} must have the hues {} for this glove.").format(path.name, names)
-            )
+            hues = self.profile.hue_names
+            raise ConfigError(notice("window.other_hues", file=path.name, hues=hues))
         self.take(loaded, tr("Colours of {}").format(path.name))
 
     def save(self, path: Path) -> None:

@@ -14,6 +14,7 @@ from app.storage.settings import SettingsStore, sessions_folder
 from app.words import decimal, local, tr
 from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import free_path, name_part
+from tracker.base.notices import notice
 
 LOW_BYTES = 5_000_000_000
 STOP_BYTES = 1_000_000_000
@@ -78,7 +79,9 @@ class RecordingPlan:
             self.folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
             reason = error.strerror or str(error)
-            raise FileError(tr("Cannot record to {}: {}.").format(self.folder, reason)) from error
+            raise FileError(
+                notice("window.recording_folder", folder=self.folder, why=reason)
+            ) from error
         path = recording_path(self.folder, participant, task, datetime.now(), self.template)
         return RecordingRequest(path, participant, task)
 
@@ -161,14 +164,10 @@ def check_template(template: str) -> None:
     known = ", ".join(f"{{{name}}}" for name in FIELDS)
     for found in _FIELD.finditer(template):
         if found[1] not in FIELDS:
-            raise ConfigError(tr("A file name can contain {}, not {}.").format(known, found[0]))
+            raise ConfigError(notice("window.unknown_field", known=known, field=found[0]))
     rest = _FIELD.sub("", template)
     if "{" in rest or "}" in rest or not template.strip():
-        raise ConfigError(
-            tr("The file name {!r} is incomplete; it can contain text and {}.").format(
-                template, known
-            )
-        )
+        raise ConfigError(notice("window.bad_template", template=template, known=known))
 
 
 def recording_path(

@@ -203,7 +203,7 @@ def inside(window: QMainWindow, size: QSize | None = None) -> QSize:
 
 
 def shares_of(window: QMainWindow, docks: Docks, size: QSize | None = None) -> Shares:
-    """The share of each dock in front, of a window of ``size`` (None: as it is now)."""
+    """The share of each dock in front, of a window of ``size`` (None: the current one)."""
     room = inside(window, size)
     return {
         name: (dock.width() / room.width(), dock.height() / room.height())
@@ -224,7 +224,7 @@ def resize(window: QMainWindow, docks: Docks, shares: Shares) -> None:
 
 
 def capture(window: QMainWindow, docks: Docks) -> dict[str, Any]:
-    """The layout as it is now, for the settings file."""
+    """The current layout, for the settings file."""
     state = bytes(window.saveState().toBase64().data()).decode()
     shares = {name: list(share) for name, share in shares_of(window, docks).items()}
     return {"state": state, "shares": shares}

@@ -8,7 +8,7 @@ from typing import Any
 
 from app.platform.single_instance import ask
 from tracker.base.errors import GlovetrackError
-from tracker.base.notices import notice
+from tracker.base.notices import from_json, notice
 from tracker.base.terminal import add_json, check_json, finish
 from tracker.hand.names import CHAINS
 from tracker.streaming.remote.client import UDP_PORT
@@ -24,7 +24,7 @@ def control(args: argparse.Namespace) -> int:
     request = {k: v for k, v in vars(args).items() if k not in _NOT_SENT}
     answer = _send(request, args.to)
     if not answer["ok"]:
-        raise GlovetrackError(str(answer.get("error")))
+        raise GlovetrackError(from_json(answer) or str(answer.get("error")))
     finish(args, answer, [answer["text"], *([answer["file"]] if "file" in answer else [])])
     return 0
 

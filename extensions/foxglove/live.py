@@ -65,7 +65,7 @@ class FoxglovePublisher:
     ) -> None:
         """``others``: further hands, see `beside`.
 
-        ``wall_offset``: s since 1970 at the monotonic clock's zero; by default as of now.
+        ``wall_offset``: s since 1970 at the monotonic clock's zero; default: the current one.
 
         ``origins``: further sites whose pages may connect, such as ``https://viz.example.org``.
         """
@@ -162,7 +162,7 @@ class _HandChannels:
             self.once[DESCRIPTION + first] = robot.description(names)
 
     def channels(self) -> list[Channel]:
-        """As they are advertised; without a hand there are no frames, without a glove no model."""
+        """The advertised channels; without a hand there are no frames, without a glove no model."""
         topic, first = f"/glovetrack/{self.names.side}", self._first
         schema, scene = json.dumps(estimate_schema(self.names)), json.dumps(scene_schema())
         frames = json.dumps(robot.transforms_schema())

@@ -26,7 +26,7 @@ class Lines(Protocol):
     def send(self, lines: list[str]) -> None: ...
 
     def probe(self) -> Notice | None:
-        """Whether a program receives; None where connections tell that."""
+        """Whether a program receives; None if the number of connections shows it."""
 
     def close(self) -> None: ...
 

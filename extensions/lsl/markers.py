@@ -1,4 +1,4 @@
-"""Markers of other programs, by Lab Streaming Layer, become notes with the instant they tell.
+"""Records markers of other programs (Lab Streaming Layer) as notes with the markers' times.
 
 Every stream of type ``Markers`` that is found is read. A marker's stamp is of its computer's LSL
 clock; LSL measures how far that is from this one's, and the note keeps both, so that whoever reads
@@ -23,7 +23,7 @@ from tracker.streaming.remote.request import MOST_TEXT, Request
 TYPE = "Markers"
 LOOK_EVERY, MEASURE_EVERY = 0.5, 5.0  # s: for streams, and how far their clocks are
 PULL_EVERY = 0.005  # s
-MEASURE_WAIT = 2.0  # s that the other side may take to tell its clock
+MEASURE_WAIT = 2.0  # s that the other side may take to report its clock
 HOLD = 8.0  # s that a stream's first markers wait in its inlet for that
 MOST_STREAMS = 16
 MOST_BEHIND = 60  # s of markers that an inlet keeps
@@ -85,7 +85,7 @@ class MarkerDoor:
             stream.inlet.close_stream()
 
     def _look(self) -> None:
-        """Take up streams that are new, and forget those that are gone."""
+        """Adds new streams and removes those that have ended."""
         found = {info.uid(): info for info in self._resolver.results()}
         gone = {uid for uid, stream in self._streams.items() if uid not in found or stream.lost}
         self._lost = (self._lost | gone) & set(found)  # the resolver lists them for a while

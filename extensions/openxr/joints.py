@@ -23,7 +23,7 @@ from tracker.streaming.publisher import Names, StreamError
 
 HOLD = 1.0  # s for which a lost joint keeps its pose on the hand
 SPAN = 0.015  # s over which a velocity is a difference at least; half of it is its delay
-LONGEST_SPAN = 0.05  # s, beyond which a difference is no velocity
+LONGEST_SPAN = 0.05  # s, beyond which no velocity is computed from a difference
 JointArray = NDArray[np.void]
 """(26,) of `JOINT`."""
 NONE = np.zeros(len(JOINTS), JOINT)

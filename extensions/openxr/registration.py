@@ -73,7 +73,7 @@ class Registration:
         return Registered.OLD if newer else Registered.YES
 
     def register(self) -> None:
-        """Copy the library and tell the loader. Raises FileError."""
+        """Copies the library and registers it with the loader. Raises FileError."""
         if not self.library.is_file():
             raise FileError(notice("openxr.no_layer"))
         try:

@@ -15,7 +15,7 @@ def write_report(
     sessions: Sequence[Path], out: Path, offsets: bool = True, anonymous: bool = False,
     force: bool = False, watch: Callable[[float], None] = lambda share: None,
 ) -> list[Measured]:  # fmt: skip
-    """Write the page ``out`` and return what it reports, hand by hand, in the order of the
+    """Writes the page ``out`` and returns what it reports for each hand, in the order of the
     sessions. ``offsets``: with marker offsets; ``watch`` receives the share done.
 
     Raises FileError if a session has no reference, or if ``out`` exists without ``force``.

@@ -154,7 +154,7 @@ def _icc_interval(
 class Pooled:
     """Mean of a quantity over people with a random intercept each: ``mean`` with its 95 % interval,
     standard deviations ``between`` people and ``within`` (between recordings of a person; NaN
-    without a person who has two). ``people`` and ``recordings`` that it stands on."""
+    without a person who has two). ``people`` and ``recordings`` on which it is based."""
 
     mean: float
     ci: Interval

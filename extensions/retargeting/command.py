@@ -44,7 +44,7 @@ def add_config(parser: argparse.ArgumentParser) -> None:
 
 
 def write_config(args: argparse.Namespace) -> None:
-    """Write the configuration and, where the file is no URDF whose links end at the fingertips,
+    """Write the configuration and, if the file is not a URDF whose links end at the fingertips,
     the URDF that it names."""
     from extensions.retargeting.config import config_text, dex_hand, links_suffice
     from extensions.robot.finger_map import map_given

@@ -22,7 +22,7 @@ def from_unity(p: Array, q: Array) -> tuple[Array, Array]:
 
 def from_upright(p: Array, q: Array, up: str) -> tuple[Array, Array]:
     """Pose in G of one in right-handed axes with ``up`` (y or z) upwards. The tracker's own axes
-    stay as they are: the alignment includes them."""
+    stay unchanged: the alignment includes them."""
     if up == "z":
         return p, q
     if not np.isfinite(q).all():

@@ -25,7 +25,7 @@ CONNECT_WAIT = 2.0  # s for an answer of the server's computer
 AGAIN = 1.0  # s between attempts to connect
 READ_BYTES = 65536
 WINDOW = 10.0  # s over which the server's clock is compared with this one
-MOST_LATE = 0.5  # s of a message on its way; beyond it, the stamp is not believed
+MOST_LATE = 0.5  # s of a message's transit; beyond it, the stamp is not used
 
 
 class VrpnPoses:
@@ -90,7 +90,7 @@ class VrpnPoses:
 class ServerClock:
     """Instants by the server's clock as instants of this computer.
 
-    The quickest message of the last `WINDOW` tells how far apart both clocks are: what others took
+    The quickest message of the last `WINDOW` gives the offset of both clocks: what others took
     longer is no delay of the measurement. The time that the quickest one took remains, as with
     protocols without stamps; the alignment finds it.
     """

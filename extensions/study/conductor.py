@@ -17,7 +17,7 @@ from extensions.study.verdict import Verdict
 
 
 class Phase(StrEnum):
-    """``READY``: the instruction is shown until the experimenter goes on; ``RUNNING``: cues;
+    """``READY``: the instruction is shown until the experimenter continues; ``RUNNING``: cues;
     ``CHECKING``: the file is being completed and judged; ``VERDICT``: accept or repeat."""
 
     READY = "ready"
@@ -76,7 +76,7 @@ class Conductor:
 
     @property
     def next_cue_in(self) -> float:
-        """s until the next cue, or the end of the trial; infinite if it ends by hand."""
+        """s until the next cue, or the end of the trial; infinite if it is ended manually."""
         step = self.step
         if step is None or self.phase is not Phase.RUNNING:
             return float("inf")
@@ -125,7 +125,7 @@ class Conductor:
             self._enter()
 
     def pause(self, t: float) -> None:
-        """Pause, or go on. A running trial is interrupted, and repeated after the pause; a rest
+        """Pauses or continues. A running trial is interrupted, and repeated after the pause; a rest
         does not count down meanwhile."""
         self._last = t
         self.paused = not self.paused

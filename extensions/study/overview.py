@@ -13,7 +13,7 @@ from extensions.study.schedule import PRACTICE, TRIAL, Step, condition_order, st
 
 
 def duration_of(protocol: Protocol, steps: tuple[Step, ...]) -> float:
-    """s; a trial that ends by hand counts with its longest duration."""
+    """s; a trial that is ended manually counts with its longest duration."""
     total = 0.0
     for step in steps:
         total += step.duration

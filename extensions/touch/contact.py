@@ -3,7 +3,7 @@
 In a touch, target = tip + base + R_GB offset - bias + noise: ``base`` leads to the lowest point of
 a round end of the hand file's radius, so it rolls with the finger's inclination; ``offset``,
 constant in the tip's frame, is how the wearer's pulp differs; ``bias`` is the tracker's constant
-error. Turning the hand tells offset and bias apart, as far as the tracker's own error does not turn
+error. Turning the hand separates offset and bias, as far as the tracker's own error does not turn
 with the finger. Errors are therefore stated with an offset that is held near zero by what is known
 of pulps (`OFFSET_SD`), and the offset that fits best without that is stated next to them.
 """

@@ -46,7 +46,7 @@ class SheetPose:
     images: int
 
     def target(self, p_S: Array) -> Array:
-        """(3,) m in G of a point of the sheet as it is meant to be printed. Heights above the paper
+        """(3,) m in G of a point given in the sheet's nominal coordinates. Heights above the paper
         are scaled as well: the strip comes from the same printer."""
         return self.R_GS @ (self.print_scale * p_S) + self.p_GS
 
@@ -95,7 +95,7 @@ class SheetFinder:
 def find_sheet(
     frames: Iterable[StereoFrame], rig: StereoRig, ruler: float | None = None
 ) -> SheetPose:
-    """The pose of a sheet that lies still, from all ``frames`` that show it.
+    """The pose of a sheet at rest, from all ``frames`` that show it.
 
     ``ruler`` is the length (m) that the user measured of the printed line of 260 mm. Raises
     ConfigError where no image shows the sheet.

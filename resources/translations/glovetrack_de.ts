@@ -23,11 +23,6 @@
       <translation>Geräte</translation>
     </message>
     <message>
-      <location filename="app/engines/demo.py" />
-      <source>The simulated camera did not start.</source>
-      <translation>Die simulierte Kamera ist nicht gestartet.</translation>
-    </message>
-    <message>
       <location filename="app/engines/engine_host.py" />
       <source>{} was not opened, because a recording has begun.</source>
       <translation>{} wurde nicht geöffnet, weil eine Aufnahme begonnen hat.</translation>
@@ -39,11 +34,6 @@
     </message>
     <message>
       <location filename="app/engines/found_gloves.py" />
-      <source>No glove was found on any USB serial port. Plug it in, then try again.</source>
-      <translation>An keinem seriellen USB-Anschluss wurde ein Handschuh gefunden. Einstecken und erneut versuchen.</translation>
-    </message>
-    <message>
-      <location filename="app/engines/found_gloves.py" />
       <source>left</source>
       <translation>linken</translation>
     </message>
@@ -51,11 +41,6 @@
       <location filename="app/engines/found_gloves.py" />
       <source>right</source>
       <translation>rechten</translation>
-    </message>
-    <message>
-      <location filename="app/engines/found_gloves.py" />
-      <source>No glove was found. {}</source>
-      <translation>Kein Handschuh gefunden. {}</translation>
     </message>
     <message>
       <location filename="app/engines/found_gloves.py" />
@@ -84,11 +69,6 @@
     </message>
     <message>
       <location filename="app/engines/hardware.py" />
-      <source>The camera has no calibration yet. Make or import one under Set-up, Camera calibration.</source>
-      <translation>Die Kamera ist noch nicht kalibriert. Unter Einrichtung, Kamerakalibrierung eine Kalibrierung erstellen oder importieren.</translation>
-    </message>
-    <message>
-      <location filename="app/engines/hardware.py" />
       <source>gloves at {}</source>
       <translation>Handschuhe an {}</translation>
     </message>
@@ -106,16 +86,6 @@
       <location filename="app/engines/recording.py" />
       <source>The recording could not be finished: {}</source>
       <translation>Die Aufnahme konnte nicht abgeschlossen werden: {}</translation>
-    </message>
-    <message>
-      <location filename="app/jobs/calibration_commands.py" />
-      <source>Only the engine chain has a wearer's calibration. Choose it in the Tracking menu.</source>
-      <translation>Nur das Verfahren chain hat eine Kalibrierung des Trägers. Im Menü Tracking wählen.</translation>
-    </message>
-    <message>
-      <location filename="app/jobs/device_changes.py" />
-      <source>The glove's settings cannot be changed: {}.</source>
-      <translation>Die Einstellungen des Handschuhs lassen sich nicht ändern: {}.</translation>
     </message>
     <message>
       <location filename="app/jobs/export.py" />
@@ -163,11 +133,6 @@
       <translation>Vergleich</translation>
     </message>
     <message>
-      <location filename="app/jobs/offline_tracking.py" />
-      <source>The folder {} no longer exists.</source>
-      <translation>Der Ordner {} existiert nicht mehr.</translation>
-    </message>
-    <message>
       <location filename="app/jobs/outputs.py" />
       <source>Closing {}</source>
       <translation>{} wird geschlossen</translation>
@@ -196,16 +161,6 @@
       <location filename="app/jobs/plugged.py" />
       <source>Looking for devices</source>
       <translation>Geräte werden gesucht</translation>
-    </message>
-    <message>
-      <location filename="app/jobs/recording_curves.py" />
-      <source>{} cannot be written: {}.</source>
-      <translation>{} kann nicht geschrieben werden: {}.</translation>
-    </message>
-    <message>
-      <location filename="app/jobs/recording_curves.py" />
-      <source>{} has not been tracked. Choose Track again first.</source>
-      <translation>Für {} gibt es kein Tracking. Zuerst „Tracking wiederholen“ wählen.</translation>
     </message>
     <message>
       <location filename="app/jobs/remote.py" />
@@ -1763,16 +1718,6 @@
       <translation>{} enthält die ausgewählten {} von {}.</translation>
     </message>
     <message>
-      <location filename="app/panels/library/session_files.py" />
-      <source>{} is being recorded.</source>
-      <translation>{} wird gerade aufgenommen.</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/session_files.py" />
-      <source>{} is open. Close it first (Ctrl+W).</source>
-      <translation>{} ist geöffnet. Zuerst schließen (Strg+W).</translation>
-    </message>
-    <message>
       <location filename="app/panels/library/session_page.py" />
       <source>Search by name, tag, date or quality</source>
       <translation>Suche nach Name, Schlagwort, Datum oder Qualität</translation>
@@ -1824,8 +1769,8 @@
     </message>
     <message>
       <location filename="app/panels/library/session_page.py" />
-      <source>Move to the bin</source>
-      <translation>In den Papierkorb</translation>
+      <source>Move to trash</source>
+      <translation>In den Papierkorb verschieben</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_table.py" />
@@ -2733,11 +2678,6 @@
       <translation>In Glovetrack ist etwas schiefgegangen ({}: {}).</translation>
     </message>
     <message>
-      <location filename="app/platform/subprocess_job.py" />
-      <source>The process ended unexpectedly. The computer may be out of memory.</source>
-      <translation>Der Prozess endete unerwartet. Möglicherweise fehlt dem Rechner Speicher.</translation>
-    </message>
-    <message>
       <location filename="app/platform/tasks.py" />
       <source>{} failed: {}: {}</source>
       <translation>„{}“ ist gescheitert: {}: {}</translation>
@@ -2748,59 +2688,9 @@
       <translation>Handschuh {} ({}) wurde erkannt. Seine eigenen Dateien {} und {} werden verwendet.</translation>
     </message>
     <message>
-      <location filename="app/storage/image_folder.py" />
-      <source>{} is not a readable image.</source>
-      <translation>{} ist kein lesbares Bild.</translation>
-    </message>
-    <message>
-      <location filename="app/storage/image_folder.py" />
-      <source>{}: the image could not be encoded.</source>
-      <translation>{}: Das Bild konnte nicht kodiert werden.</translation>
-    </message>
-    <message>
-      <location filename="app/storage/removed_file.py" />
-      <source>{} exists again; it is not replaced by the removed one.</source>
-      <translation>{} gibt es wieder; die entfernte Datei ersetzt sie nicht.</translation>
-    </message>
-    <message>
-      <location filename="app/storage/removed_file.py" />
-      <source>{} was not removed: {}.</source>
-      <translation>{} wurde nicht entfernt: {}.</translation>
-    </message>
-    <message>
-      <location filename="app/storage/session_tags.py" />
-      <source>it is too large</source>
-      <translation>zu groß</translation>
-    </message>
-    <message>
-      <location filename="app/storage/session_tags.py" />
-      <source>The tags of {} were not moved with it: {}.</source>
-      <translation>Die Schlagwörter von {} wurden nicht mit verschoben: {}.</translation>
-    </message>
-    <message>
-      <location filename="app/storage/settings.py" />
-      <source>they have no version number</source>
-      <translation>sie haben keine Versionsnummer</translation>
-    </message>
-    <message>
-      <location filename="app/storage/settings.py" />
-      <source>they were written by a later version of Glovetrack</source>
-      <translation>sie wurden von einer neueren Version von Glovetrack geschrieben</translation>
-    </message>
-    <message>
       <location filename="app/storage/settings.py" />
       <source>The settings could not be read: {}. The window uses its defaults; the old settings are saved in {}.</source>
       <translation>Die Einstellungen konnten nicht gelesen werden: {}. Das Fenster verwendet die Vorgaben; die alten Einstellungen sind in {} gesichert.</translation>
-    </message>
-    <message>
-      <location filename="app/storage/system_bin.py" />
-      <source>{} cannot be moved to the bin.</source>
-      <translation>{} kann nicht in den Papierkorb verschoben werden.</translation>
-    </message>
-    <message>
-      <location filename="app/storage/system_bin.py" />
-      <source>{} exists again, so the file was not restored from the bin.</source>
-      <translation>{} existiert wieder, daher wurde die Datei nicht aus dem Papierkorb wiederhergestellt.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
@@ -3251,18 +3141,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/colour_fits.py" />
-      <source>There is no image yet to fit the colours to.</source>
-      <translation>Es gibt noch kein Bild, an das die Farben angepasst werden könnten.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/colour_fits.py" />
       <source>Fitted {}. Not changed: {} (too few patches visible).</source>
       <translation>Angepasst: {}. Nicht geändert: {} (zu wenige Flicken sichtbar).</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/colour_fits.py" />
-      <source>No markers were tracked yet. Fit from the image alone first.</source>
-      <translation>Noch wurden keine Marker verfolgt. Erst allein aus dem Bild anpassen.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_fits.py" />
@@ -3303,11 +3183,6 @@ change {}: {}</source>
       <location filename="app/viewmodels/colour_tuning.py" />
       <source>Colours of {}</source>
       <translation>Farben von {}</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/colour_tuning.py" />
-      <source>{} must have the hues {} for this glove.</source>
-      <translation>{} muss für diesen Handschuh die Farbtöne {} haben.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colours.py" />
@@ -4653,21 +4528,6 @@ change {}: {}</source>
       <location filename="app/viewmodels/recording.py" />
       <source>{} messages discarded (system overloaded)</source>
       <translation>{} Nachrichten verworfen (System überlastet)</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording.py" />
-      <source>The file name {!r} is incomplete; it can contain text and {}.</source>
-      <translation>Der Dateiname {!r} ist unvollständig; er kann Text und {} enthalten.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording.py" />
-      <source>A file name can contain {}, not {}.</source>
-      <translation>Ein Dateiname kann {} enthalten, nicht {}.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording.py" />
-      <source>Cannot record to {}: {}.</source>
-      <translation>Aufnahme nach {} nicht möglich: {}.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/recording_report.py" />
@@ -10371,6 +10231,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>The simulated camera did not start.</source>
+      <translation>Die simulierte Kamera ist nicht gestartet.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>The simulated glove requires a pseudo-terminal, which this system does not have.</source>
       <translation>Der simulierte Handschuh braucht ein Pseudoterminal, das es auf diesem System nicht gibt.</translation>
     </message>
@@ -12986,6 +12851,76 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>The window is closing.</source>
+      <translation>Das Fenster wird geschlossen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The message is a reply, not a request.</source>
+      <translation>Die Nachricht ist eine Antwort, keine Anfrage.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} is already being recorded.</source>
+      <translation>{file} wird bereits aufgenommen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Nothing can be recorded: no device is running.</source>
+      <translation>Aufnahme nicht möglich: Es läuft kein Gerät.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A replayed session cannot be recorded.</source>
+      <translation>Eine Sitzung, die wiedergegeben wird, kann nicht aufgenommen werden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The recording did not start.</source>
+      <translation>Die Aufnahme wurde nicht gestartet.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Nothing is being recorded.</source>
+      <translation>Es läuft keine Aufnahme.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The note was not added: no device or session is open.</source>
+      <translation>Die Notiz wurde nicht hinzugefügt: Weder ein Gerät noch eine Sitzung ist geöffnet.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No glove with motors is running.</source>
+      <translation>Es läuft kein Handschuh mit Motoren.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A motor accepts at most {rate_hz:.0f} requests per second.</source>
+      <translation>Ein Motor nimmt höchstens {rate_hz:.0f} Anfragen pro Sekunde an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A finger accepts at most {rate_hz:.0f} contacts per second.</source>
+      <translation>Ein Finger nimmt höchstens {rate_hz:.0f} Kontakte pro Sekunde an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove's send queue is full. The motor was not started.</source>
+      <translation>Die Sendewarteschlange des Handschuhs ist voll. Der Motor wurde nicht gestartet.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Nothing is being tracked, so contacts are not accepted.</source>
+      <translation>Es wird nichts getrackt, daher werden keine Kontakte angenommen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No glove for this side is running.</source>
+      <translation>Für diese Seite läuft kein Handschuh.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>The window did not respond, so nothing was done.</source>
       <translation>Das Fenster hat nicht geantwortet, es geschah also nichts.</translation>
     </message>
@@ -13408,6 +13343,136 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>must be within {limit:g} of the identity matrix</source>
       <translation>darf höchstens {limit:g} von der Einheitsmatrix abweichen</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The process ended unexpectedly. The computer may be out of memory.</source>
+      <translation>Der Prozess endete unerwartet. Möglicherweise fehlt dem Rechner Speicher.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{problems}</source>
+      <translation>{problems}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No glove was found on any USB serial port. Plug it in, then try again.</source>
+      <translation>An keinem seriellen USB-Anschluss wurde ein Handschuh gefunden. Einstecken und erneut versuchen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No glove was found. {reasons}</source>
+      <translation>Es wurde kein Handschuh gefunden. {reasons}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The camera has no calibration yet. Make or import one under Set-up, Camera calibration.</source>
+      <translation>Die Kamera ist noch nicht kalibriert. Unter Einrichtung, Kamerakalibrierung eine Kalibrierung erstellen oder importieren.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove's settings cannot be changed: {why}.</source>
+      <translation>Die Einstellungen des Handschuhs lassen sich nicht ändern: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The folder {folder} no longer exists.</source>
+      <translation>Der Ordner {folder} existiert nicht mehr.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} has not been tracked. Choose Track again first.</source>
+      <translation>Für {file} gibt es kein Tracking. Zuerst „Tracking wiederholen“ wählen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>they have no version number</source>
+      <translation>sie haben keine Versionsnummer</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>they were written by a later version of Glovetrack</source>
+      <translation>sie wurden von einer neueren Version von Glovetrack geschrieben</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>it is too large</source>
+      <translation>zu groß</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} is being recorded.</source>
+      <translation>{file} wird gerade aufgenommen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} is open. Close it first (Ctrl+W).</source>
+      <translation>{file} ist geöffnet. Zuerst schließen (Strg+W).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} is not a readable image.</source>
+      <translation>{file} ist kein lesbares Bild.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file}: the image could not be encoded.</source>
+      <translation>{file}: Das Bild konnte nicht kodiert werden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} exists again. It was not replaced by the removed file.</source>
+      <translation>{file} existiert wieder und wurde nicht durch die entfernte Datei ersetzt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{name} was not removed: {why}.</source>
+      <translation>{name} wurde nicht entfernt: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The tags of {file} were not moved with it: {why}.</source>
+      <translation>Die Schlagwörter von {file} wurden nicht mit verschoben: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} cannot be moved to the trash.</source>
+      <translation>{file} kann nicht in den Papierkorb verschoben werden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} exists again, so it was not restored from the trash.</source>
+      <translation>{file} existiert wieder und wurde daher nicht aus dem Papierkorb wiederhergestellt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>There is no image yet to fit the colours to.</source>
+      <translation>Es gibt noch kein Bild, an das die Farben angepasst werden könnten.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No markers were tracked yet. Fit from the image alone first.</source>
+      <translation>Noch wurden keine Marker verfolgt. Erst allein aus dem Bild anpassen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} must have the hues {hues:words} for this glove.</source>
+      <translation>{file} muss für diesen Handschuh die Farbtöne {hues:words} enthalten.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Cannot record to {folder}: {why}.</source>
+      <translation>Aufnahme nach {folder} nicht möglich: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A file name can contain {known}, not {field}.</source>
+      <translation>Ein Dateiname kann {known} enthalten, nicht {field}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The file name "{template}" is incomplete. It can contain text and {known}.</source>
+      <translation>Der Dateiname „{template}“ ist unvollständig. Er kann Text und {known} enthalten.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />

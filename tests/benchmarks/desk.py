@@ -1,7 +1,7 @@
 """Photographs of a desk with a gloved hand and the truth about them: how well colours serve.
 
 A scene is a folder with ``in.mcap`` (IMU packets and stereo images), ``truth.npz`` and
-``visible.npz``; its README tells the arrays.
+``visible.npz``; its README describes the arrays.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from tracker.vision.detector import detect_frame
 SCENES = ("window", "lamp", "led", "dim")
 LEAST_VISIBLE, MOST_TURNED_DEG = 0.6, 70.0  # of a marker that should be found
 FOUND_WITHIN_PX = 4.0
-ANY_MARKER_PX = 8.0  # a blob this near a marker's middle, of its hue, is no false one
+ANY_MARKER_PX = 8.0  # a blob this near a marker's middle, of its hue, is not a false one
 NEAR_HAND_PX = 60.0  # of a keypoint
 POINTS = ("thumb_tip", "index_tip", "middle_tip", "dorsum")
 BADLY_WRONG = 0.05  # m

@@ -145,7 +145,7 @@ def _seek(path: Path) -> Message:
 
 
 def time_curves(minutes: Sequence[float]) -> list[Curve]:
-    """Whether tracking costs more, or holds more, the longer it goes on."""
+    """Whether the time or memory of tracking grows with its duration."""
     costs, memory = tracked_for(minutes)
     return [
         _curve("minutes tracked: a second's cost", minutes, "ms per s", np.array(costs)),

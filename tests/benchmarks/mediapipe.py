@@ -20,7 +20,7 @@ NAME = "two MediaPipe Hands calls"
 
 
 class PeerAbsentError(Exception):
-    """The peer cannot run here; the sentence says why."""
+    """The peer cannot run here; the message gives the reason."""
 
 
 def interpreter() -> Path:

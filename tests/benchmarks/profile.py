@@ -36,7 +36,7 @@ def profile(engine: str, repeats: int = 3, seed: int = 1) -> list[Cost]:
     """Costs of the pipeline for one second of data, most expensive first by own time."""
     call = pipeline_call(make_second(seed, images=0), engine)
     call()
-    profiler = cProfile.Profile(time.process_time)  # on a busy machine waiting is no cost
+    profiler = cProfile.Profile(time.process_time)  # waiting on a loaded machine does not count
     profiler.enable()
     for _ in range(repeats):
         call()

@@ -153,7 +153,7 @@ def detection_rows(
 def _quality_rows(
     images: Sequence[RenderedImage], ours: Detector, peer: PlainOpenCv, what: str
 ) -> list[BenchRow]:
-    """Recall and blobs that are no marker, per image."""
+    """Recall, and number of blobs that are not markers, per image."""
     mine, theirs = [], []
     for p in images:
         blobs, _ = ours.detect(p.image)

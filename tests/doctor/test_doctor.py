@@ -23,6 +23,7 @@ from tests.doctor.fake_devices import (
     with_camera,
     with_glove,
 )
+from tests.notices import shows
 from tests.sensors.scripted_glove import Scripted
 from tracker.base.errors import DeviceError
 from tracker.base.notices import notice, plain
@@ -62,7 +63,7 @@ def test_a_port_without_permission_has_the_group_as_remedy(tmp_path: Path) -> No
     )
     (line,) = bad(permissions(machine))
     assert line.startswith("error") and "dialout" in line and PORT.path in line
-    assert any("usermod -aG dialout" in text for text in bad(gloves(machine)))
+    assert any(shows(text, "doctor.join_group", group="dialout") for text in bad(gloves(machine)))
 
 
 def test_a_port_in_use_by_another_program_is_an_error(tmp_path: Path) -> None:
@@ -89,7 +90,7 @@ def test_bytes_of_another_device_are_a_warning(tmp_path: Path) -> None:
     glove = TunableGlove(HELLO)
     glove.own_baud = 3
     lines = bad(gloves(with_glove(tmp_path, glove)))
-    assert lines[0].startswith("warning") and "cannot be decoded" in lines[0]
+    assert lines[0].startswith("warning") and shows(lines[0], "doctor.not_decoded")
 
 
 def test_a_latency_timer_of_16_ms_has_the_command_as_remedy(tmp_path: Path) -> None:
@@ -97,7 +98,9 @@ def test_a_latency_timer_of_16_ms_has_the_command_as_remedy(tmp_path: Path) -> N
     timer.parent.mkdir(parents=True)
     timer.write_text("16\n")
     (line,) = bad(gloves(with_glove(tmp_path, Scripted(HELLO))))
-    assert "16 ms" in line and f"tee {timer}" in line
+    assert (
+        shows(line, "port.latency_linux", latency_ms=16, setting=timer) and f"tee {timer}" in line
+    )
     timer.write_text("1\n")
     assert bad(gloves(with_glove(tmp_path, Scripted(HELLO)))) == []
 
@@ -115,7 +118,7 @@ class Lossy(Scripted):
 
 def test_a_bad_cable_is_seen_in_its_damaged_packets(tmp_path: Path) -> None:
     (line,) = bad(gloves(with_glove(tmp_path, Lossy(HELLO))))
-    assert "damaged" in line and "shorter cable" in line
+    assert "damaged" in line and shows(line, "doctor.shorter_cable")
 
 
 class Ailing(Scripted):
@@ -146,7 +149,7 @@ class Unstreaming(Scripted):
 
 def test_a_glove_that_sends_no_samples_is_an_error(tmp_path: Path) -> None:
     (line,) = bad(gloves(with_glove(tmp_path, Unstreaming(HELLO))))
-    assert line.startswith("error") and "sends no samples" in line
+    assert line.startswith("error") and shows(line, "doctor.no_samples")
 
 
 def test_two_adapters_with_one_serial_number_are_reported(tmp_path: Path) -> None:
@@ -154,7 +157,7 @@ def test_two_adapters_with_one_serial_number_are_reported(tmp_path: Path) -> Non
     machine = bare(
         tmp_path, usb_ports=lambda: [PORT, twin], in_use=frozenset({PORT.path, twin.path})
     )
-    assert "same serial number" in bad(gloves(machine))[0]
+    assert shows(bad(gloves(machine))[0], "doctor.twin_adapters")
 
 
 # ---- cameras
@@ -163,26 +166,31 @@ def test_two_adapters_with_one_serial_number_are_reported(tmp_path: Path) -> Non
 def test_a_slow_grant_has_the_usb_port_as_remedy(tmp_path: Path) -> None:
     camera = FakeCamera(FakeClock(), fps=10.0, granted=(1280, 720, 10.0))
     (line,) = bad(cameras(with_camera(tmp_path, camera)))
-    assert line.startswith("error") and "grants only 10 images per second" in line
+    assert line.startswith("error") and shows(line, "camera.slow_grant", rate_hz=10, format="YUYV")
     assert "YUYV" in line and "another USB port" in line
 
 
 def test_a_camera_slower_than_granted_is_an_error(tmp_path: Path) -> None:
     camera = FakeCamera(FakeClock(), fps=12.0)
     (line,) = bad(cameras(with_camera(tmp_path, camera)))
-    assert "12 images per second arrive instead of the 30" in line and "light" in line
+    assert shows(line, "doctor.camera_slow", measured_fps=12, granted_fps=30) and "light" in line
 
 
 def test_another_size_than_requested_is_an_error(tmp_path: Path) -> None:
     camera = FakeCamera(FakeClock(), granted=(640, 480, 30.0))
-    assert "640 × 480 instead of 1280 × 720" in bad(cameras(with_camera(tmp_path, camera)))[0]
+    assert shows(
+        bad(cameras(with_camera(tmp_path, camera)))[0],
+        "camera.size_not_granted",
+        width=640,
+        asked_height=720,
+    )
 
 
 def test_an_exposure_that_cannot_be_verified_is_never_ok(tmp_path: Path) -> None:
     without = FakeCamera(FakeClock(), capture=FakeCapture({}, has_exposure=False))
-    assert "cannot be verified" in bad(cameras(with_camera(tmp_path, without)))[0]
+    assert shows(bad(cameras(with_camera(tmp_path, without)))[0], "doctor.no_exposure")
     unheeding = FakeCamera(FakeClock(), capture=FakeCapture({}, keeps_lock=False))
-    assert "does not confirm" in bad(cameras(with_camera(tmp_path, unheeding)))[0]
+    assert shows(bad(cameras(with_camera(tmp_path, unheeding)))[0], "doctor.exposure_unverified")
 
 
 def test_the_exposure_is_automatic_again_after_the_test(tmp_path: Path) -> None:
@@ -194,7 +202,7 @@ def test_the_exposure_is_automatic_again_after_the_test(tmp_path: Path) -> None:
 def test_dark_absent_and_refusing_cameras_are_distinguished(tmp_path: Path) -> None:
     assert "cover" in bad(cameras(with_camera(tmp_path, FakeCamera(FakeClock(), dark=True))))[0]
     imageless = FakeCamera(FakeClock(), images=0)
-    assert "no images arrive" in bad(cameras(with_camera(tmp_path, imageless)))[0]
+    assert shows(bad(cameras(with_camera(tmp_path, imageless)))[0], "doctor.no_images")
 
     class Busy(FakeCamera):
         def open(self) -> None:
@@ -214,14 +222,18 @@ def test_time_stamps_of_the_driver_are_recognised(tmp_path: Path) -> None:
 
 def test_slow_full_and_forbidden_disks(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     slow = bare(tmp_path, writing_speed=lambda folder, size: 12.0)
-    assert "12 MB/s" in bad(disk(slow))[0]
+    assert shows(bad(disk(slow))[0], "doctor.disk_speed", disk_mb_s=12)
     monkeypatch.setattr("tracker.doctor.computer.free_bytes", lambda folder: 2e9)
-    assert "Delete or move" in bad(disk(bare(tmp_path)))[0]
+    assert shows(bad(disk(bare(tmp_path)))[0], "doctor.free_disk")
 
     def forbid(folder: Path, size: int) -> float:
         raise PermissionError(errno.EACCES, "no")
 
-    assert "you may not write there" in bad(disk(bare(tmp_path, writing_speed=forbid)))[0]
+    assert shows(
+        bad(disk(bare(tmp_path, writing_speed=forbid)))[0],
+        "file.not_writable",
+        why="you may not write there",
+    )
 
 
 def test_the_disk_is_measured_and_left_clean(tmp_path: Path) -> None:
@@ -230,7 +242,7 @@ def test_the_disk_is_measured_and_left_clean(tmp_path: Path) -> None:
 
 
 def test_graphics_cards_of_linux(tmp_path: Path) -> None:
-    assert "no graphics card" in bad(graphics(bare(tmp_path)))[0]
+    assert shows(bad(graphics(bare(tmp_path)))[0], "doctor.no_graphics")
     node = tmp_path / "dev/dri/renderD128"
     node.parent.mkdir(parents=True)
     node.touch()

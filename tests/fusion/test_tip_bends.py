@@ -56,7 +56,7 @@ class Worn:
             self.shown.trust(*self.tips.trusted(self.own))
 
     def tip(self, state: ChainState, k: int) -> Array:
-        """(3,) m, of the digit ``k`` as it is shown."""
+        """(3,) m, of the digit ``k`` as displayed."""
         rows = self.shown.confidence.ends.driven_ends, self.shown.confidence.ends.own
         return points(self, state, *rows)[0][k, 1]
 

@@ -38,7 +38,7 @@ def judge() -> TrackingJudge:
 
 
 def test_support_makes_sure_and_not_the_time_that_passes(judge: TrackingJudge) -> None:
-    """Two images that support the pose, then two that do not, are no tenth of a second of it."""
+    """Two images that support the pose, then two that do not, do not make a tenth of a second."""
     images = [judge.support(k * APART, there=k < 2) for k in range(4)]
     assert 3 * APART > SURE_AFTER > APART and 2 * APART < DOUBT_AFTER
     assert images == [False] * 4
@@ -77,7 +77,7 @@ def test_two_places_tell_how_fast_the_hand_moves(judge: TrackingJudge) -> None:
 def test_a_hand_that_comes_back_fast_is_not_measured_elsewhere(
     hand: HandModel, glove: GloveModel
 ) -> None:
-    """Out of view for 1.5 s it comes in at 2 m/s: where it is found its velocity is unknown."""
+    """Out of view for 1.5 s, it returns at 2 m/s: when it is found, its velocity is unknown."""
     motion = leaving(RandomPostures(hand, 900, duration=4.2), ((1.7, 3.2),))
     sim = Simulation(hand, glove, motion, 900, fps=30)
     pipeline = Pipeline(hand, glove, sim.rig)
@@ -102,7 +102,7 @@ def test_a_hand_that_comes_back_fast_is_not_measured_elsewhere(
 def test_a_hand_dragged_along_among_strange_patches_is_another(
     hand: HandModel, glove: GloveModel, off_px: float, strangers: int, followed: bool
 ) -> None:
-    """Its blobs are not where they were expected, and others are on it that are no marker's."""
+    """Its blobs are not at the expected positions, and other blobs on it are not markers."""
     layout, rig, rng = ChainLayout(hand, glove), ideal_rig(), np.random.default_rng(2)
     state = initial_state(layout)
     state.P = 1e-5 * np.eye(len(state.P))

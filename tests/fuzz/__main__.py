@@ -22,7 +22,7 @@ NAMES = (
     *("container", "records", "messages", "state", "decoder", "link"),
     *("hand", "glove", "colours", "settings", "zed", "opencv", "table"),
 )
-HANGS = 120  # s by the clock on the wall, which on a busy computer tell little
+HANGS = 120  # s of wall-clock time, which mean little on a loaded computer
 
 
 class TooSlow(Exception):

@@ -80,7 +80,7 @@ def test_one_posture_ends_when_the_next_begins() -> None:
 
 
 def test_a_value_that_fluctuates_about_the_threshold_begins_once() -> None:
-    """Hysteresis: 5 degrees above and below the begin of a fist."""
+    """Hysteresis: 5 degrees above and below the threshold of a fist."""
     frames = []
     for i in range(200):
         mcp = 62.0 + 5.0 * (-1) ** (i // 5)

@@ -11,8 +11,10 @@ from app.storage.wearers import WearerStore
 from app.viewmodels.calibration import calibration_view
 from app.window.main_window import MainWindow
 from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup, simulation
+from tests.notices import shows
 from tracker.base.errors import GlovetrackError
 from tracker.base.files import person_file_name
+from tracker.base.notices import template_of
 from tracker.cli import build_parser
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
@@ -199,7 +201,7 @@ def test_a_wearer_of_another_glove_is_rejected(panel, store, qtbot):
     path = WearerStore(store.path.parent / "wearers").path("Anna")
     path.write_bytes(b"damaged")
     panel.profiles.wear("Anna")
-    assert "Anna.toml is not a profile of a wearer" in panel.window().banner.text()
+    assert shows(panel.window().banner.text(), "wearer.invalid", file="Anna.toml")
     assert panel.wearer.name == ""
 
 
@@ -209,7 +211,8 @@ def test_an_engine_without_profiles_reports_it(panel, engine, qtbot):
     panel.profiles.reset(None)
     window = panel.window()
     qtbot.waitUntil(
-        lambda: window.log.model.entries("error", "Only the engine chain") != [], timeout=30_000
+        lambda: window.log.model.entries("error", template_of("engine.no_wearer")) != [],
+        timeout=30_000,
     )
 
 
@@ -235,7 +238,7 @@ def test_a_removed_wearer_is_restored_by_undo(panel, store, qtbot):
     remove.trigger()
     path.write_bytes(b"another")
     banner.buttons[0].click()
-    assert path.read_bytes() == b"another" and "exists again" in banner.text()
+    assert path.read_bytes() == b"another" and shows(banner.text(), "window.exists_again")
 
 
 def test_without_a_live_engine_nothing_can_be_changed(window):

@@ -166,7 +166,7 @@ def test_an_unconfirmed_lock_is_never_shown_as_done(window, qtbot, device):
 
 
 def test_a_number_opens_an_unlisted_camera(window, store, qtbot):
-    """The error says where to enter it."""
+    """The error names the field in which to enter it."""
     with raises(DeviceError, "camera.none_found"):
         chosen("")
     made = CameraSetup(window.host, store, window.tasks, window, list)

@@ -30,6 +30,7 @@ from app.viewmodels.states import GOOD, WARN
 from app.widgets.range_row import HueRangeSlider
 from app.window.main_window import MainWindow
 from tests.gui.gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup, with_camera
+from tests.notices import shows
 from tracker.calibration.colours_fit import FoundHue
 from tracker.calibration.light_meter import LightMeter
 from tracker.messages import Tracking
@@ -525,7 +526,7 @@ def test_arrow_keys_move_the_selected_end_around_the_circle(colours, qtbot):
 def test_a_background_with_a_colour_of_the_glove_is_reported(colours, engine, qtbot, monkeypatch):
     for _ in range(ROOM_EVERY):
         colours.tuning.room.watch(colours.image.source.view, colours.tuning.profile)
-    assert colours.tuning.room.shares == {}  # the grey table and the hand itself are no clash
+    assert colours.tuning.room.shares == {}  # the grey table and the hand itself do not conflict
     room = np.full((720, 1280, 3), 120, np.uint8)
     room[100:200, 100:300] = (30, 180, 30)
     monkeypatch.setattr(colours.image.source, "image", lambda: room)
@@ -609,8 +610,8 @@ def test_the_light_is_measured_and_missed_markers_get_rings(colours, qtbot):
     missed = lambda: len(light.rings(colours.image.shown()))  # noqa: E731
     qtbot.waitUntil(lambda: missed() > 0, timeout=30_000)
     assert "markers missed" in light.watch.line()
-    assert "not found with these colours" in light.advice.text()
-    assert "Fit them" in light.chip.toolTip()
+    assert shows(light.advice.text(), "light.markers_missed")
+    assert shows(light.chip.toolTip(), "light.markers_missed")
     light.show_missed.setChecked(False)
     assert missed() == 0
     light.show_missed.setChecked(True)

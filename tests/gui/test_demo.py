@@ -83,7 +83,7 @@ def test_demo_record_stop_replay_export(demo, qtbot, tmp_path):
     assert 0.5 < player.duration < 30.0
     player.play(False)
     player.seek(0.5 * player.duration)
-    # a paused replay goes on to the next image, which a loaded machine may record late
+    # a paused replay advances to the next image, which a loaded machine may record late
     half = 0.5 * player.duration
     qtbot.waitUntil(lambda: half - 0.01 <= player.position <= player.duration, timeout=30_000)
     assert not demo.commands.actions["record"].isEnabled()

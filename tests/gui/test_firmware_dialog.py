@@ -86,7 +86,7 @@ def test_the_written_image_has_the_chosen_number_and_speed(
 def test_nothing_is_written_while_gloves_are_searched_for(
     dialog: FirmwareSetup, board: Board, qtbot
 ) -> None:
-    """Another port's name shows other versions, which is no leave to begin a second thing."""
+    """The name of another port shows its versions, but must not start a second operation."""
     board.may_end.clear()
     dialog.again.click()
     dialog.ports.setCurrentText("/dev/ttyUSB7")

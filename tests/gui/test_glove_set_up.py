@@ -9,6 +9,7 @@ from app.storage.bound_gloves import BoundGlove, bound, with_bound
 from app.viewmodels.glove_setup import SetUpPhase, StillRun, WiggleRun
 from app.words import notice_text
 from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup, simulation, with_glove
+from tests.notices import shows
 from tracker.base.notices import notice
 from tracker.calibration.wiggle import WiggleTest
 from tracker.simulation.imu import ImuSimulator
@@ -61,7 +62,7 @@ def test_a_rest_measurement_waits_for_rest_and_times_out():
     moved = samples("index", 0.0, 12.0)
     restless.look(moved[:1])
     restless.look(moved)
-    assert restless.done and "Lay it flat" in restless.words
+    assert restless.done and shows(restless.words, "still.moved")
 
 
 def test_the_simulated_glove_is_measured_and_tested_by_clicks(window, qtbot):

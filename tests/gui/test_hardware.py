@@ -17,6 +17,7 @@ from app.wizards.glove.choice import SESSION
 from app.wizards.stereo.image_choices import image_choices
 from app.words import notice_text
 from tests.gui.gui_fakes import frame_and_blobs, models, simulation
+from tests.notices import shows
 from tracker.base.notices import failure
 from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.stereo.checks import extrinsics_of
@@ -122,8 +123,8 @@ def glove_alone(window, qtbot, store, device, monkeypatch):
 def test_a_glove_without_a_camera_is_shown_by_its_imus(glove_alone, qtbot):
     window = glove_alone
     qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=60_000)
-    assert "No camera was found" in window.banner.text()
-    assert "The camera has no calibration" in window.banner.text()
+    assert shows(window.banner.text(), "camera.none_found")
+    assert shows(window.banner.text(), "window.no_rig")
     for name in ("Glove found", "All IMUs respond"):
         qtbot.waitUntil(lambda n=name: _done(window, n), timeout=30_000)
     assert not _done(window, "Camera found") and not _done(window, "Camera calibrated")
@@ -133,7 +134,7 @@ def test_a_glove_without_a_camera_is_shown_by_its_imus(glove_alone, qtbot):
     assert scene.segment_state[0] == Validity.LOST and Validity.MEASURED in scene.segment_state
     assert view.estimate.tracking == Tracking.LOST
     window.sources.set_engine("chain")
-    assert "requires a camera" in window.banner.text()
+    assert shows(window.banner.text(), "engine.needs_camera")
 
 
 def test_a_glove_alone_is_recorded_and_replayed(glove_alone, qtbot, tmp_path):
@@ -179,7 +180,7 @@ def test_a_camera_without_glove_or_calibration_gives_its_images(window, qtbot, s
     window.sources.open_devices()
     qtbot.waitUntil(lambda: window.host.running, timeout=60_000)
     qtbot.waitUntil(lambda: _done(window, "Camera found"), timeout=30_000)
-    assert "No glove was found" in window.banner.text()
+    assert shows(window.banner.text(), "window.no_glove")
     assert not _done(window, "Glove found") and not _done(window, "Camera calibrated")
     view = window.host.snapshot()
     assert view.frame.left is not None and len(view.blobs.left) > 5, "colours can be tuned"

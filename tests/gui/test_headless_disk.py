@@ -13,6 +13,7 @@ from PySide6.QtGui import QImage, QPixmap
 from app.engines import demo
 from app.engines.demo_camera import DemoChoice
 from app.window import headless_report as report
+from tests.notices import shows
 from tests.session.recording.spoilers import FullDisk, SmallFiles
 from tracker.messages import Estimate
 from tracker.offline.track import track
@@ -43,7 +44,7 @@ def window() -> SimpleNamespace:
 def test_an_image_that_does_not_fit_is_reported_and_not_left(qapp, tmp_path, small_files) -> None:
     problems: list[str] = []
     report._save(window(), tmp_path / "window.png", problems)
-    assert len(problems) == 1 and "window.png cannot be written" in problems[0]
+    assert len(problems) == 1 and shows(problems[0], "file.not_writable")
     assert list(tmp_path.iterdir()) == []
 
 

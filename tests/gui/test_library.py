@@ -17,6 +17,7 @@ from app.panels.library.track_dialog import TrackDialog
 from app.platform.tasks import JobProgress, TaskOwner
 from app.viewmodels.compare import Comparison, summary
 from app.viewmodels.library import session_row
+from tests.notices import shows
 from tracker.messages import Estimate
 from tracker.offline.options import USUAL, TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
@@ -249,7 +250,7 @@ def test_obsolete_settings_of_a_recording_are_reported_and_ignored(recorded, tmp
     job = track_job(old, tmp_path / "new.mcap", TrackOptions())
     done = job(JobProgress(lambda *_: None))
     assert done.figures["compared"] > 200
-    assert "cannot use these settings of old.mcap: chain.warp" in summary(done)
+    assert shows(summary(done), "track.settings_unused", file="old.mcap", settings="chain.warp")
     usual = track_job(old, tmp_path / "usual.mcap", TrackOptions(settings=USUAL))
     same = usual(JobProgress(lambda *_: None))
     assert same.figures["compared"] > 200 and "warp" not in summary(same)

@@ -18,6 +18,7 @@ from app.storage.session_tags import read_tags, tags_of_text, tags_path, write_t
 from app.storage.settings import SettingsStore
 from app.viewmodels.export_choice import ExportChoice, choice_from
 from app.window.main_window import MainWindow
+from tests.notices import shows
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track
@@ -132,7 +133,7 @@ def test_a_session_is_renamed_with_its_tags(library, window, folder, qtbot):
     assert read_tags(folder / "P02-grasp.mcap") == ("keep",)
     assert not (folder / "P02_pinch.mcap").exists()
     library.files.rename(folder / "P01_fist.mcap", "P01_pinch")
-    assert "already exists" in window.banner.text()
+    assert shows(window.banner.text(), "rename.exists")
 
 
 def test_a_renamed_session_remains_selected_and_a_removed_one_moves_no_selection(
@@ -201,13 +202,13 @@ def test_undo_does_not_replace_a_newer_file_of_that_name(library, window, folder
     assert window.banner.text() == "P01_fist moved to the trash."
     shutil.copy(tracked, folder / "P01_fist.mcap")
     window.banner.buttons[0].click()
-    assert "exists again" in window.banner.text()
+    assert shows(window.banner.text(), "window.not_restored")
 
 
 def test_a_session_is_preserved_on_a_system_without_a_bin(library, window, folder, monkeypatch):
     monkeypatch.setattr("app.storage.system_bin.move_to_bin", lambda _path: (False, None))
     library.files.bin([folder / "P01_pinch.mcap"])
-    assert "cannot be moved to the bin" in window.banner.text()
+    assert shows(window.banner.text(), "window.no_trash")
     assert (folder / "P01_pinch.mcap").exists()
 
 
@@ -219,7 +220,7 @@ def test_open_sessions_are_neither_renamed_nor_deleted(library, window, folder, 
         lambda: library.files.rename(folder / "P01_fist.mcap", "other"),
     ):
         work()
-        assert "is open. Close it first" in window.banner.text()
+        assert shows(window.banner.text(), "window.is_open")
     assert (folder / "P01_fist.mcap").exists()
 
 
@@ -268,7 +269,7 @@ def press_export(qtbot, dialog) -> None:
 def test_an_open_session_from_any_folder_is_exported_in_several_formats(
     library, window, tracked, store, tmp_path, qtbot
 ):
-    """It lies outside of the library's folder, and another one is selected there."""
+    """It is outside the library's folder, and another one is selected there."""
     window.sources.open_session(tracked)
     qtbot.waitUntil(lambda: window.host.running, timeout=30_000)
     select(library, "P01_pinch")

@@ -17,6 +17,7 @@ from app.widgets.options_dialog import OptionsDialog
 from app.window.main_window import MainWindow
 from extensions.conformance.isaac.reader import read_records
 from tests.gui.gui_fakes import ScriptedEngine, ScriptedGlove, scripted_setup, with_glove
+from tests.notices import shows
 from tracker.base.errors import FileError
 from tracker.streaming.registry import StreamSettings, stream_kinds
 
@@ -240,7 +241,7 @@ def test_the_test_button_shows_whether_a_program_receives(panel, window, listene
     window.outputs.apart = apart
     panel.ports["udp"].setValue(listener.getsockname()[1])
     panel.tests["udp"].click()
-    assert "switch it on" in panel.result.text()
+    assert shows(panel.result.text(), "stream.test_off")
     panel.boxes["udp"].click()
     qtbot.waitUntil(lambda: sent(panel, "udp") > 0, timeout=60_000)
     panel.tests["udp"].click()

@@ -14,6 +14,7 @@ from app.engines.demo_camera import DemoChoice
 from app.window.dialogs import KeysDialog
 from app.window.message_bar import Countdown
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup, with_live
+from tests.notices import shows
 from tracker.glove import library
 from tracker.messages import Event, ImuSample
 from tracker.offline.track import track
@@ -163,7 +164,7 @@ def test_a_reset_of_the_demo_without_a_camera_is_recorded_and_tracked_again(
     qtbot.keyClick(window, Qt.Key.Key_R)
     log_entries = lambda: window.log.model.entries("device", "Pose reset, right hand: joints")  # noqa: E731
     qtbot.waitUntil(lambda: log_entries() != [], timeout=30_000)
-    assert "heading by" in window.banner.text()
+    assert shows(window.banner.text(), "pose_reset.done_heading")
     qtbot.wait(1_000)
     window.run_command("record")
     window.host.recording.wait()

@@ -24,6 +24,7 @@ from app.viewmodels.recording import (
     size_text,
 )
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
+from tests.notices import shows
 from tracker.base.clock import monotonic
 from tracker.base.errors import FileError
 from tracker.messages import Event
@@ -190,7 +191,7 @@ def test_an_impossible_folder_is_reported_and_nothing_is_recorded(window, engine
     window.recording.set_folder(blocker / "inside")
     window.recording.toggle()
     assert window.host.recording.request is None
-    assert "Cannot record" in window.banner.text()
+    assert shows(window.banner.text(), "window.recording_folder")
 
 
 def test_start_after_stop_builds_a_new_engine(window, qtbot):

@@ -95,7 +95,7 @@ def test_start_note_and_stop_by_udp_are_like_the_keys(window, engine, qtbot):
     }  # fmt: skip
     assert window.commands.actions["record"].text() == "Stop &recording"
     again = say(do="start")
-    assert not again["ok"] and again["error"] == f"{path.name} is being recorded already."
+    assert (again["code"], again["values"]) == ("remote.recording_already", {"file": path.name})
     before = monotonic()
     assert say(do="note", text="the cup")["ok"]
     (note,) = window.host.notes.current.values()
@@ -106,7 +106,8 @@ def test_start_note_and_stop_by_udp_are_like_the_keys(window, engine, qtbot):
     stopped = say(do="stop")
     assert stopped["file"] == path.name and window.host.recording.request is None
     assert recorders[0].closed
-    assert say(do="stop") == {"ok": False, "do": "stop", "error": "Nothing is being recorded."}
+    refused = say(do="stop")
+    assert not refused["ok"] and refused["code"] == "remote.not_recording"
     window.panels["streams"].refresh(None)
     cells = window.panels["streams"].remote.cells["udp"]
     assert cells["sent"].text() == "6" and "127.0.0.1:" in cells["state"].toolTip()
@@ -136,13 +137,13 @@ def test_the_reason_for_a_refused_recording_is_answered(window, engine, qtbot, t
     def start():
         return json.loads(meanwhile(qtbot, lambda: ask_over_udp({"do": "start"}, HERE, port)))
 
-    assert start()["error"] == "Nothing can be recorded: no device is running."
+    assert start()["code"] == "remote.no_device"
     window.host.adopt(scripted_setup(engine))
     (tmp_path / "file").write_text("no folder")
     window.store.update(sessions_folder=str(tmp_path / "file" / "below"))
     answer = start()
-    assert not answer["ok"] and "Cannot record to" in answer["error"]
-    assert "Cannot record to" in window.banner.text(), "as when the key is pressed"
+    assert not answer["ok"] and shows(answer["error"], "window.recording_folder")
+    assert shows(window.banner.text(), "window.recording_folder"), "as when the key is pressed"
 
 
 def test_osc_and_web_socket_control_it_too(window, engine, qtbot):
@@ -177,10 +178,10 @@ def test_a_finger_vibrates_at_a_limited_rate(window, engine, qtbot):
     assert json.loads(window.remote.answers.answer_line(line))["ok"]
     assert buzzed == [(2, 90, 40)]
     answers = [json.loads(window.remote.answers.answer_line(line)) for _ in range(500)]
-    assert "at most 50 requests" in answers[-1]["error"]
+    assert (answers[-1]["code"], answers[-1]["values"]) == ("remote.motor_limit", {"rate_hz": 50})
     assert len(buzzed) < 4 * MOTOR_HZ
     window.host.stop()
-    assert "No glove with motors" in json.loads(window.remote.answers.answer_line(line))["error"]
+    assert json.loads(window.remote.answers.answer_line(line))["code"] == "remote.no_motors"
 
 
 def test_a_contact_vibrates_while_it_lasts_and_is_recorded(window, engine, qtbot):
@@ -292,7 +293,7 @@ def test_the_windows_own_socket_accepts_requests_and_still_opens_sessions(window
         answer = json.loads(said_to(qtbot, name, {"remote": {"do": "start"}}))
         assert answer["file"] == str(window.host.recording.request.path)
         wrong = json.loads(said_to(qtbot, name, {"remote": {"do": "explode"}}))
-        assert not wrong["ok"] and "must be start" in wrong["error"]
+        assert not wrong["ok"] and wrong["code"] == "request.unknown"
         assert said_to(qtbot, name, {"open": ""}) == b"taken\n"
         assert ask({"do": "status"}, name + "x") is None
     finally:
@@ -342,7 +343,7 @@ def test_the_command_controls_the_window_of_another_process(tmp_path):
             assert started.returncode == 0 and "Recording " in started.stdout
             path = Path(started.stdout.splitlines()[-1])
             assert path.exists()
-            assert "being recorded already" in remote("start").stderr
+            assert shows(remote("start").stderr, "remote.recording_already")
             assert "Noted in" in remote("note", "the cup is taken").stdout
             stopped = json.loads(remote("stop", "--json", "-").stdout)
             assert stopped["ok"] and stopped["file"] == str(path)

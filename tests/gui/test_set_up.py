@@ -23,7 +23,7 @@ from app.wizards.stereo.image_choices import (
 from app.wizards.stereo.import_form import ImportFormDialog
 from app.wizards.stereo.wizard import BOARD, CHECK, RESULT, VIEWS, StereoWizard
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
-from tests.notices import raises
+from tests.notices import raises, shows
 from tracker.base.errors import DeviceError
 from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.stereo.files import load_rig, save_calibration
@@ -114,7 +114,7 @@ def test_a_board_becomes_a_calibration_that_is_checked_and_saved(wizard, qtbot, 
     dialog.next.click()
     assert dialog.pages.currentIndex() == CHECK and not dialog.next.isEnabled()
     qtbot.waitUntil(dialog.next.isEnabled, timeout=60_000)
-    assert "Rows agree" in dialog.check.words.text()
+    assert shows(dialog.check.words.text(), "verify.rows_good")
     assert "Largest corner error" in dialog.check.figures.text()
     dialog.next.click()
     ((path, real),) = done
@@ -134,7 +134,7 @@ def test_one_camera_becomes_a_calibration_too(wizard, qtbot, window):
     assert dialog.outcome.table.isColumnHidden(2)
     dialog.next.click()
     qtbot.waitUntil(dialog.next.isEnabled, timeout=60_000)
-    assert "Corners are accurate to" in dialog.check.words.text()
+    assert shows(dialog.check.words.text(), "verify.corners_good")
     assert dialog.check.images.right.isHidden()
     dialog.next.click()
     rig = load_rig(done[0])
@@ -181,7 +181,7 @@ def test_an_impossible_board_stops_at_the_first_page(wizard):
     dialog = wizard(StillBoard())
     dialog.board.kind.setCurrentIndex(dialog.board.kind.findData("chessboard"))
     dialog.board.columns.setValue(9)
-    assert "upside down" in dialog.board.trouble.text()
+    assert shows(dialog.board.trouble.text(), "board.symmetric")
     assert dialog.board.trouble.isVisible() and not dialog.next.isEnabled()
     dialog.board.columns.setValue(10)
     assert not dialog.board.trouble.isVisible() and dialog.next.isEnabled()
@@ -208,7 +208,7 @@ def test_an_earlier_file_can_be_tested_or_used_and_a_bad_one_is_rejected(wizard,
     rig = small_rig()
     save_calibration(tmp_path / "bad.yml", rig.left, rig.right, rig.R, 10 * rig.T)
     assert not dialog.take_file(tmp_path / "bad.yml")
-    assert "600.0 mm apart" in dialog.board.trouble.text()
+    assert shows(dialog.board.trouble.text(), "stereo.baseline_impossible", found_mm=600.0)
     save_calibration(tmp_path / "good.yml", rig.left, rig.right, rig.R, rig.T)
     assert dialog.take_file(tmp_path / "good.yml")
     assert dialog.pages.currentIndex() == CHECK and dialog.next.isEnabled()

@@ -197,7 +197,7 @@ def test_a_start_after_a_crash_says_what_became_of_the_recording(
     store.update(recording=str(sessions / name))
     logs = tmp_path / "logs"
     logs.mkdir()
-    (logs / "running-1.log").write_text("0.0\nGlovetrack\n")  # of a process that is gone
+    (logs / "running-1.log").write_text("0.0\nGlovetrack\n")  # of a process that has ended
     watch = CrashWatch(logs)
     window = MainWindow(store, watch)
     qtbot.addWidget(window)

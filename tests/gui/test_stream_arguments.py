@@ -12,6 +12,7 @@ import pytest
 from app.__main__ import main
 from tests.gui.environments import without_screen
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
+from tests.notices import shows
 from tracker.base.errors import GlovetrackError
 from tracker.streaming.registry import StreamSettings, with_streams
 from tracker.streaming.remote.client import ask
@@ -57,7 +58,7 @@ def test_a_report_without_a_screen_sends_too_and_leaves_its_files(tmp_path):
     assert done.returncode == 0, done.stderr
     assert {"session.mcap", "session.csv"} <= {p.name for p in tmp_path.iterdir()}
     assert "tracking " in done.stdout
-    assert " s  The hand is tracked." in done.stderr
+    assert shows(done.stderr, "tracking.tracked")
 
 
 @pytest.mark.timeout(240)
@@ -98,7 +99,7 @@ def test_a_word_that_is_no_stream_is_wrong_usage(capsys):
     with pytest.raises(SystemExit) as ended:
         main(["--demo", "--stream", "ros"])
     assert ended.value.code == 2
-    assert 'no stream "ros"' in capsys.readouterr().err
+    assert shows(capsys.readouterr().err, "part.unknown", kind="stream", name="ros")
 
 
 @pytest.mark.parametrize("word", ["--remote", "--stream", "--wearer", "--headless-report"])

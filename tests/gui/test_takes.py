@@ -64,7 +64,7 @@ LEFT = (("hands", "reference-left"), ("gloves", "vist-small-left"))
 
 
 class Nothing:
-    """A device that gives nothing: messages are fed by hand."""
+    """A device without data: the test feeds messages."""
 
     def poll(self, timeout):
         return []

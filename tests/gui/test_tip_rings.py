@@ -1,4 +1,4 @@
-"""The rings that say how sure each fingertip is."""
+"""The rings that show the uncertainty of each fingertip."""
 
 from __future__ import annotations
 

@@ -125,7 +125,7 @@ def foreign(speaking, store, engine, qtbot, no_leaks):
 
 
 def texts_of(widget: QWidget) -> Iterator[str]:
-    """Everything that one widget says."""
+    """All texts of one widget."""
     yield from (widget.windowTitle(), widget.toolTip(), widget.accessibleName())
     if isinstance(widget, QLabel | QAbstractButton):
         yield widget.text()
@@ -143,7 +143,7 @@ def texts_of(widget: QWidget) -> Iterator[str]:
 
 
 def english_of(window: QWidget, listed: dict[str, str]) -> set[str]:
-    """Texts in sight of the user that stand in the catalogue and are not translated."""
+    """Visible texts that are in the catalogue but are not translated."""
     shown = {text for w in [window, *window.findChildren(QWidget)] for text in texts_of(w)}
     shown |= {action.text() for action in window.findChildren(QAction)}
     translated = set(listed.values())
@@ -156,7 +156,7 @@ def test_the_real_window_shows_no_english_of_the_catalogue(foreign, code, qtbot)
     window = foreign(code)
     for name in window.docks:
         window.show_panel(name)
-        qtbot.wait(150)  # a panel in sight is refreshed
+        qtbot.wait(150)  # a visible panel is refreshed
         assert english_of(window, listed) == set(), name
     shown = {text for w in window.findChildren(QWidget) for text in texts_of(w)}
     assert len(shown & set(listed.values())) > 200

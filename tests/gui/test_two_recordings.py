@@ -135,7 +135,7 @@ def test_curves_line_and_offset_go_together(beside, window, qtbot):
     )
     beside.close()
     qtbot.wait(50)
-    window.library.refresh(None)  # nothing follows a dialog that is gone
+    window.library.refresh(None)  # nothing follows a closed dialog
 
 
 def test_images_of_a_take_are_those_of_the_instant(parts, tmp_path):

@@ -185,7 +185,7 @@ def test_blob_counts_per_hue_are_means_over_both_images(view):
     [
         (4.0, 5.2, "4 of about 5", False),
         (4.5, 4.4, "4 of about 4", False),  # halves are of two images: no half marker is shown
-        (3.0, 2.0, "3 of about 2", False),  # one more than is expected is no error
+        (3.0, 2.0, "3 of about 2", False),  # one more than expected is not an error
         (11.0, 4.0, "11 of about 4", True),
         (1.0, 4.0, "1 of about 4", True),
         (4.0, 0.2, "4", True),  # never "4 of 0"
@@ -348,7 +348,7 @@ def test_orbit_keeps_its_distance_and_looks_at_its_target():
 
 
 def test_tracking_is_not_said_while_nothing_arrives():
-    """The state is of the last message that came."""
+    """The state is that of the last message."""
     silent = {"imu_rate_hz": 0.0, "frame_rate_hz": 0.0}
     shown_look = tracking_look(Status(5.0, Tracking.TRACKING, silent), True)
     assert (shown_look.word, shown_look.sign) == ("No data", BAD.sign)

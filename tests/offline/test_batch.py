@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.notices import raises
+from tests.notices import raises, shows
 from tracker.base.errors import ConfigError, DeviceError, FileError
 from tracker.base.workers import WorkersAsked, dask_workers
 from tracker.cli import main
@@ -69,10 +69,10 @@ def test_parallel_processes_give_identical_results(
     words = ["track", str(folder), "-o", str(out), "--jobs", "2", "--json", str(report)]
     assert main(words) == 1, "one of the three is no session"
     output = capsys.readouterr()
-    assert "1 of 3 sessions could not be tracked" in output.err
+    assert shows(output.err, "track.some_failed", failed=1, count=3)
     rows = {line.split()[0]: line for line in output.out.splitlines()[1:]}
     assert "100.0 %" not in rows[str(folder / "c.mcap")]
-    assert "c.mcap is not an MCAP file" in rows[str(folder / "c.mcap")]
+    assert shows(rows[str(folder / "c.mcap")], "session.not_mcap")
     assert " mm" in rows[str(folder / "monday" / "b.mcap")]
     sessions = json.loads(report.read_text())["sessions"]
     assert ["error" in s for s in sessions] == [False, True, False]
@@ -86,8 +86,8 @@ def test_nothing_is_overwritten(folder: Path, tmp_path: Path) -> None:
     precious.write_text("precious")
     jobs = [Job(folder / "a.mcap", precious)]
     (outcome,) = track_all(jobs, TrackOptions(), lambda share: None, WorkersAsked(1))
-    assert "already exists" in outcome.error
-    assert "already exists" in table(jobs, [outcome])
+    assert shows(outcome.error, "file.exists_force")
+    assert shows(table(jobs, [outcome]), "file.exists_force")
     assert precious.read_text() == "precious"
 
 

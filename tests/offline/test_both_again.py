@@ -31,7 +31,7 @@ def session(tmp_path_factory) -> Path:
 
 @dataclass(frozen=True)
 class Plain:
-    """The session as it is tracked live, and a profile of each hand, by its side."""
+    """A session as tracked live, and a profile of each hand, by side."""
 
     report: TrackReport
     path: Path

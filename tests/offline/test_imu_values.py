@@ -43,7 +43,7 @@ def errors() -> ImuErrors:
 
 
 def warming(seed: int, start_c: float, seconds: float = 60.0) -> tuple[Array, Array, Array]:
-    """accel, gyro and celsius of a glove that lies on a table and warms up by 6 °C."""
+    """accel, gyro and celsius of a glove at rest on a table that warms up by 6 °C."""
     rng, known = np.random.default_rng(seed), errors()
     n = round(seconds * RATE_HZ)
     celsius = start_c + 6 * np.linspace(0, 1, n)[:, None] + 0.3 * np.arange(7)

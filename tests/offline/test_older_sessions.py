@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.notices import raises
+from tests.notices import raises, shows
 from tracker import CONTINUED, __version__
 from tracker.base.config import to_toml
 from tracker.base.errors import ConfigError
@@ -74,7 +74,7 @@ def test_recorded_streams_have_no_effect(tmp_path: Path) -> None:
     runs = {"a": (old, ""), "b": (now, ""), "c": (old, str(tmp_path / "streams.toml"))}
     for name, (path, file) in runs.items():
         report = track(path, tmp_path / f"{name}.mcap", TrackOptions(settings=file))
-        assert not [text for text in report.words if "cannot use" in text], name
+        assert "track.settings_unused" not in [n.code for n in report.notices], name
     assert compare(tmp_path / "a.mcap", tmp_path / "b.mcap")["identical"]
     (tmp_path / "wrong.toml").write_text("[chain]\nros = true\n")
     with raises(ConfigError, "toml.setting", key="chain.ros"):
@@ -93,23 +93,25 @@ def test_the_command_line_tracks_them_and_accepts_other_settings(tmp_path: Path,
         assert "words" not in json.loads((tmp_path / f"{name}.json").read_text())
         with SessionReader(tmp_path / f"{name}.mcap") as reader:
             assert reader.info.engine == engine
-    assert "cannot use these settings" not in capsys.readouterr().out
+    assert not shows(capsys.readouterr().out, "track.settings_unused")
     (tmp_path / "bad.toml").write_text("warp = 9\n")
     bad = ["track", str(old), "-o", str(tmp_path / "d.mcap"), "--settings"]
     assert main([*bad, str(tmp_path / "bad.toml")]) == 1
-    assert "warp is not a setting" in capsys.readouterr().err
+    assert shows(capsys.readouterr().err, "toml.setting")
 
 
 @pytest.mark.parametrize(
-    ("settings", "named"),
-    [('engine = "kalman_9"\n', "engine"), ("[chain]\nwarp = nan\n", "chain.warp"),
-     ('engine = "vist"\nlenses = 3\n', "lenses"),
-     ("".join(f"gone{k} = 1\n" for k in range(50)), "gone7 and 42 more")],
+    ("settings", "last", "more"),
+    [('engine = "kalman_9"\n', "engine", 0), ("[chain]\nwarp = nan\n", "chain.warp", 0),
+     ('engine = "vist"\nlenses = 3\n', "lenses", 0),
+     ("".join(f"gone{k} = 1\n" for k in range(50)), "gone7", 42)],
 )  # fmt: skip
-def test_for_any_settings(tmp_path: Path, settings: str, named: str) -> None:
+def test_for_any_settings(tmp_path: Path, settings: str, last: str, more: int) -> None:
     old = recorded(tmp_path / "old.mcap", settings)
     report = track(old, tmp_path / "a.mcap")
-    assert report.estimates > 50 and f"{named}. They were ignored" in report.words[0]
+    values = report.notices[0].values
+    assert report.estimates > 50 and values["settings"][-1] == last
+    assert values.get("more", 0) == more
 
 
 def test_settings_that_are_not_toml_are_rejected_with_the_remedy(tmp_path: Path) -> None:
@@ -121,8 +123,8 @@ def test_settings_that_are_not_toml_are_rejected_with_the_remedy(tmp_path: Path)
 
 def test_a_state_of_another_version_is_reported_as_not_used(tmp_path: Path) -> None:
     old = recorded(tmp_path / "old.mcap", to_toml(Settings()), "0.0.9", state=True)
-    words = track(old, tmp_path / "a.mcap").words
-    assert len(words) == 1 and "recorded by version 0.0.9 in the middle of tracking" in words[0]
+    (found,) = track(old, tmp_path / "a.mcap").notices
+    assert (found.code, found.values["version"]) == ("track.state_unused", "0.0.9")
     new = recorded(tmp_path / "new.mcap", to_toml(Settings()), state=True)
     assert track(new, tmp_path / "b.mcap").notices == []
 

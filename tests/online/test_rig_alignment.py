@@ -70,7 +70,7 @@ def test_a_turned_camera_is_measured_reported_once_and_corrected() -> None:
 
 
 def test_the_rest_of_a_board_calibration_is_not_reported() -> None:
-    """And an exact calibration leaves images bit for bit as they are."""
+    """An exact calibration does not change images by a single bit."""
     rig = ideal_rig()
     for errors in (RigErrorParams(), RigErrorParams(pixel_px=0.3, baseline=0.003)):
         alignment = fed(RigAlignment(rig), frames(rig, errors, 4.0))

@@ -322,7 +322,7 @@ def test_images_with_the_largest_tested_offset(frames, rows: float) -> None:
 
 
 def test_maxima_of_a_vote() -> None:
-    """The first of equals is the maximum; its neighbours within three rows are no competitors."""
+    """The first of equal values is the maximum; its neighbours within three rows do not compete."""
     rng = np.random.default_rng(3)
     for _ in range(50):
         counts, means = (

@@ -61,8 +61,9 @@ def test_all_supported_settings_are_set_and_verified() -> None:
 def test_a_setting_that_is_not_applied_is_not_verified() -> None:
     found = fix_settings("/dev/null", 60, ControlIo("/dev/null", Driver(AUTOFOCUS, ZOOM)))
     assert [s.name for s in found if not s.is_verified] == ["autofocus", "zoom"]
-    text = str(unverified("webcam", found))
-    assert "autofocus and digital zoom" in text and "webcam" in text
+    report = unverified("webcam", found)
+    assert report is not None and report.code == "camera.not_fixed"
+    assert report.values == {"camera": "webcam", "settings": ("autofocus", "digital zoom")}
 
 
 def test_other_devices_have_no_settings() -> None:

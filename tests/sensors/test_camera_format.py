@@ -109,8 +109,9 @@ def test_a_poor_grant_is_an_error_with_a_remedy(
 
 
 def test_the_remedy_names_the_port_and_the_size() -> None:
-    text = str(shortfall(WANT, CameraReport(1280, 720, 10.0, "YUYV")))
-    assert "10 images per second" in text and "another USB port" in text and "smaller" in text
+    report = shortfall(WANT, CameraReport(1280, 720, 10.0, "YUYV"))
+    assert report is not None and report.code == "camera.slow_grant"
+    assert (report.values["rate_hz"], report.values["format"]) == (10, "YUYV")
 
 
 def test_unknown_figures_are_not_compared() -> None:

@@ -10,8 +10,9 @@ import pytest
 
 from app.engines.camera_choice import choose
 from app.storage.settings import AppSettings
-from tests.notices import raises
+from tests.notices import raises, shows
 from tracker.base.errors import DeviceError
+from tracker.base.notices import notice
 from tracker.sensors.camera_controls import ControlledInput
 from tracker.sensors.camera_plugins import all_cameras
 from tracker.sensors.camera_systems import (
@@ -90,11 +91,11 @@ def test_a_list_that_fails_is_reported(system: str, answers: System, words: str)
 
 def test_without_a_list_plugins_and_numbers_still_work(monkeypatch, caplog) -> None:
     def refuse() -> list[CameraName]:
-        raise DeviceError("This system's cameras cannot be listed by name (why).")
+        raise DeviceError(notice("camera.not_listed", why="why"))
 
     monkeypatch.setattr("tracker.sensors.camera_plugins.list_cameras", refuse)
     assert all_cameras() == []
-    assert "cannot be listed by name" in caplog.text
+    assert shows(caplog.text, "camera.not_listed")
     chosen = choose(AppSettings(camera="1"), 64, 48, 30.0)
     assert chosen.title == "camera 1"
     with raises(DeviceError, "camera.none_found"):

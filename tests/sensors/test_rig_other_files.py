@@ -27,7 +27,7 @@ RIGHT = {"K": (457.587, 456.134, 379.999, 255.238), "D": (-0.2836, 0.0745, -0.00
 
 
 def kalibr(right: bool = True, **changed: str) -> str:
-    """As ``kalibr_calibrate_cameras`` writes it; lists may go on over lines."""
+    """As ``kalibr_calibrate_cameras`` writes it; lists may span lines."""
 
     def camera(name: str, values: dict[str, tuple[float, ...]], pose: str) -> str:
         fields = {

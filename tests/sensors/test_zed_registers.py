@@ -1,7 +1,7 @@
 """Exposure, gain and serial number of a ZED, by a fake of the kernel's ioctl.
 
 The fake has the registers of both sensors and the automatic exposure of the processor, which
-changes exposure and gain by itself as long as it is on.
+changes exposure and gain automatically while it is on.
 """
 
 from __future__ import annotations

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from tests.damaged_sessions import Spoil, cut_message, spoilt
+from tests.notices import shows
 from tracker.cli import main
 from tracker.messages import Estimate, ImuSample, StereoFrame
 from tracker.offline.options import TrackOptions
@@ -60,7 +61,7 @@ def test_a_session_with_one_damaged_image_is_tracked_without_it(
     path = spoilt(images, tmp_path / "a.mcap", [RIGHT], spoil, nth=20)
     out, report = tmp_path / "b.mcap", tmp_path / "track.json"
     assert main(["track", str(path), "-o", str(out), "--json", str(report)]) == 0
-    assert f"a.mcap were ignored: 1 on {RIGHT}" in capsys.readouterr().err
+    assert shows(capsys.readouterr().err, "session.messages_damaged", topics=f"1 on {RIGHT}")
     assert json.loads(report.read_text())["left_out"] == {RIGHT: 1}
     with SessionReader(out) as tracked, SessionReader(path) as reader:
         assert sum(1 for _ in tracked.messages((Estimate,))) > 280
@@ -139,7 +140,7 @@ def test_commands_continue_and_report_skipped_messages(
     filled = [w.replace("{out}", str(out)) for w in words]
     at = 2 if words[0] == "colours" else 1
     assert main([*filled[:at], str(path), *filled[at:]]) == 0
-    assert "Damaged messages in a.mcap were ignored: 1 on /" in capsys.readouterr().err
+    assert shows(capsys.readouterr().err, "session.messages_damaged", file="a.mcap")
     made = tmp_path / "out.mcap"
     if made.exists():
         assert is_ok(verify(made))

@@ -61,14 +61,14 @@ def test_vist_and_smoothing_report_that_they_need_two_cameras(
     assert main([*command, "--smooth"]) == 1
     assert shows(capsys.readouterr().err, "track.smooth_lenses")
     assert main([*command, "--lenses", "right"]) == 1
-    assert "only one camera" in capsys.readouterr().err
+    assert shows(capsys.readouterr().err, "camera.one_is_left")
 
 
 def test_a_measured_hand_has_its_length(one: Path, tmp_path: Path, capsys) -> None:
     out = tmp_path / "o.mcap"
     command = ["track", str(one), "-o", str(out)]
     assert main([*command, "--hand-length", "30"]) == 1
-    assert "not plausible" in capsys.readouterr().err
+    assert shows(capsys.readouterr().err, "calibration.hand_length")
     assert main([*command, "--hand-length", "186"]) == 0
 
 

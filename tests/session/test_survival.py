@@ -267,7 +267,7 @@ def test_commands_have_json_output(session: Path, capsys: pytest.CaptureFixture[
     assert main(["verify", str(session), "--json", "-"]) == 0
     assert json.loads(capsys.readouterr().out) == {"ok": True, "findings": []}
     assert main(["info", str(session.parent / "none.mcap")]) == 1
-    assert "There is no file" in capsys.readouterr().err
+    assert shows(capsys.readouterr().err, "file.missing")
 
 
 def test_estimates_of_an_unfinished_file_are_read(session: Path) -> None:

@@ -14,7 +14,7 @@ pytest.importorskip("websockets", reason="websockets is not installed (extra `st
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 
-from tests.notices import raises
+from tests.notices import raises, shows
 from tracker.base.clock import monotonic
 from tracker.streaming.publisher import StreamError
 from tracker.streaming.remote.client import ask
@@ -102,9 +102,9 @@ def test_invalid_requests_are_answered_and_answers_are_not(
 ) -> None:
     client.sendto(b'{"ok": true}', (HERE, udp.port))
     client.sendto(b"\xff", (HERE, udp.port))
-    assert "JSON or plain text" in json.loads(client.recv(9999))["error"]
+    assert shows(json.loads(client.recv(9999))["error"], "request.not_readable")
     client.sendto(bytes(MOST_BYTES + 1), (HERE, udp.port))
-    assert "at most 2048 bytes" in json.loads(client.recv(9999))["error"]
+    assert shows(json.loads(client.recv(9999))["error"], "request.too_long", most=2048)
     assert desk.asked == []
 
 

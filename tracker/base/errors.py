@@ -34,8 +34,8 @@ class ConfigError(GlovetrackError):
 
 
 class DataError(ValueError):
-    """A part of a file or message is invalid; ``notice`` says why. Its reader, which knows the
-    file, reports it."""
+    """A part of a file or message is invalid; ``notice`` gives the reason. Its reader, which knows
+    the file, reports it."""
 
     def __init__(self, what: Notice) -> None:
         super().__init__(what)

@@ -244,7 +244,7 @@ class _Values(Formatter):
 
 
 def to_json(report: Notice) -> dict[str, object]:
-    """As it is recorded and published: ``code``, ``severity`` and ``values``."""
+    """The form in recordings and streams: ``code``, ``severity`` and ``values``."""
     values = {name: _to_json(value) for name, value in report.values.items()}
     return {"code": report.code, "severity": report.severity.value, "values": values}
 

@@ -36,7 +36,7 @@ VERDICTS = {
 @dataclass(frozen=True)
 class Finding:
     """One line of the result. The severity of ``what`` is the verdict. Without a ``remedy``, the
-    sentences of ``what`` after the first one say what to do."""
+    sentences of ``what`` after the first one give the remedy."""
 
     what: Notice
     remedy: Notice | None = None

@@ -1,6 +1,6 @@
 """Writes firmware into a glove through its bootloader, with avrdude, and has it read back.
 
-avrdude verifies what it wrote by itself and fails where a byte differs.
+avrdude verifies what it wrote and fails if a byte differs.
 """
 
 from __future__ import annotations

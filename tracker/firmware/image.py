@@ -1,4 +1,4 @@
-"""Firmware images: Intel HEX files that say what they are, and for which glove.
+"""Firmware images: Intel HEX files that contain their version and the glove's number.
 
 Eight letters in the image are followed by the version (three bytes), the protocol (one) and the
 glove's number (four, least significant first); resources/firmware/src/link.c puts them there.
@@ -40,14 +40,14 @@ class FirmwareImage:
 
     @property
     def glove_id(self) -> int:
-        """The number that tells this glove from others."""
+        """The number that identifies this glove."""
         return int.from_bytes(self.data[self._about + 4 : self._about + 8], "little")
 
     def for_glove(self, glove_id: int) -> FirmwareImage:
         """The same for the glove of that number.
 
         Raises:
-            ConfigError: it is no number from 1 to 4294967295.
+            ConfigError if it is not a number from 1 to 4294967295.
         """
         if not 1 <= glove_id <= _LARGEST_ID:
             raise ConfigError(notice("firmware.number", most=_LARGEST_ID, number=glove_id))
@@ -69,7 +69,7 @@ class FirmwareImage:
 
 
 def shipped_image(baud: int = BAUDS[0]) -> FirmwareImage:
-    """The image that comes with the program, for a port of that speed.
+    """The included image for a port of this speed.
 
     Raises:
         ConfigError: there is none for it.

@@ -95,7 +95,7 @@ class FingerEstimator3D:
 
     @property
     def saved(self) -> FingerSavedState:
-        """All that changes, as it is: for a copy."""
+        """The state to save, not copied."""
         return FingerSavedState(self._last, self._inner.saved)
 
     @saved.setter

@@ -84,7 +84,7 @@ class PlaneFinger:
 
     @property
     def saved(self) -> PlaneSavedState:
-        """All that changes, as it is: for a copy."""
+        """The state to save, not copied."""
         return PlaneSavedState(self._planar.state, self._w)
 
     @saved.setter
@@ -177,7 +177,7 @@ class QuaternionFinger:
 
     @property
     def saved(self) -> QuaternionSavedState:
-        """All that changes, as it is: for a copy."""
+        """The state to save, not copied."""
         return QuaternionSavedState(self._q_GB, self._past)
 
     @saved.setter

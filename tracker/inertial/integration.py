@@ -49,7 +49,7 @@ class Integration(WithState[IntegrationState]):
 
 @kernel
 def integrate(state: IntegrationState, gyro: Vector, dt: float) -> None:
-    """Advance θ by one sample. The first sample stands at the known start and moves nothing."""
+    """Advance θ by one sample. The first sample is at the known start and changes nothing."""
     last, older = state.rate[0], state.rate[1]
     for k in range(SENSORS):
         if state.samples[0] > 0:

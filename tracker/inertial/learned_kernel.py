@@ -78,7 +78,7 @@ def start(theta: Array, variances: tuple[float, ...]) -> LearnedState:
 def step(
     state: LearnedState, model: Model, gyro: Vector, accel: ComplexVector, root: complex
 ) -> None:
-    """Correct at the last sample, whose neighbours are known now; then go on to this one."""
+    """Correct at the last sample, whose neighbours are known now; then continue with this one."""
     _watch_rest(state, model, gyro, accel)
     if state.static[0] > 0:
         _learn_static(state, model, gyro, accel, root)

@@ -20,7 +20,7 @@ from tracker.messages import Array
 
 @dataclass(frozen=True)
 class SegmentParams:
-    """Times in s; thresholds of rest as in a hand that lies still."""
+    """Times in s; thresholds of rest for a hand that lies still."""
 
     tilt_time: float = 2.0  # of each of two low passes on the specific force
     level_period: float = 0.1  # between two levellings

@@ -58,7 +58,7 @@ class WatchedGlove(NamedTuple):
 @dataclass(frozen=True)
 class HueCheck:
     """One hue over the images of a check: markers that should be seen, those found, and blobs that
-    are no marker's, per image near the hand and elsewhere; and the hues that overlap with it."""
+    are not markers, per image near the hand and elsewhere; and the hues that overlap with it."""
 
     name: str
     expected: float
@@ -88,7 +88,7 @@ class ColourCheck:
 
     @property
     def clashing(self) -> float:
-        """Blobs that are no marker's, per image."""
+        """Blobs that are not markers, per image."""
         return sum(h.clashing for h in self.hues)
 
     @property
@@ -367,7 +367,7 @@ def _found_by_all(blobs: BlobFrame, result: FrameResult, showing: NDArray[np.boo
 
 
 def _unmatched(blobs: Blobs, match: IntArray, hues: int) -> IntArray:
-    """(hues,) blobs that are no marker's."""
+    """(hues,) blobs that are not markers."""
     free = np.ones(len(blobs), bool)
     free[match[match >= 0]] = False
     return np.bincount(blobs.hue[free], minlength=hues)

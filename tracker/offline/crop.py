@@ -2,7 +2,7 @@
 
 A filter that starts in the middle has no information on the wearer and on the position of the hand.
 So the whole is tracked up to the part's first message, and the state of the engine then is attached
-to the part, as it is to a recording that begins while the hand is tracked.
+to the part, as for a recording that begins while the hand is tracked.
 """
 
 from __future__ import annotations

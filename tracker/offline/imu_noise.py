@@ -17,7 +17,7 @@ from tracker.session.raw_imu import RawImu
 LEAST_S = 60.0
 WINDOW_S = 1.0
 MOVED = 4.0
-"""Windows whose standard deviation exceeds that of a quiet one by this factor are motion."""
+"""Windows whose standard deviation exceeds that at rest by this factor count as motion."""
 QUIET_PERCENTILE = 20
 GAPS = 0.02
 """Largest share of samples that may be missing; they are interpolated."""

@@ -90,7 +90,7 @@ class Counter:
         self._last: ImuSample | None = None
 
     def count(self, sample: ImuSample, tracking: Tracking) -> None:
-        """One packet, and how tracking stood at its instant."""
+        """Adds one packet and the state of tracking at its instant."""
         r, last = self.report, self._last
         r.estimates += 1
         if last is None:

@@ -1,1 +1,1 @@
-"""What watches devices while tracking runs: clocks, rig, camera tilt, IMUs."""
+"""Monitoring of devices during tracking: clocks, rig, camera tilt, IMUs."""

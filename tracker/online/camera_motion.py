@@ -1,7 +1,7 @@
-"""How a camera moves while it exposes the rows of an image, from its poses in the last images.
+"""The motion of a camera during the exposure of an image's rows, from its poses in the last images.
 
-The rates between the last two images and between the two before are carried on to the image's own
-instant: a head that turns to and fro changes its rate by a tenth from one image to the next.
+The rates between the last two images and between the two before are extrapolated to the image's
+instant: a head that turns back and forth changes its rate by a tenth between images.
 """
 
 from __future__ import annotations
@@ -14,16 +14,16 @@ from tracker.base.records import record
 from tracker.geometry import so3
 from tracker.messages import Array, BlobFrame, CameraMotion, CameraPose
 
-LONGEST = 0.15  # s between two images, beyond which nothing is known
+LONGEST = 0.15  # s between two images, beyond which the motion is unknown
 LEAST = 1e-3  # s
-FASTEST = 20.0  # rad/s; poses that are farther apart are not of one motion
+FASTEST = 20.0  # rad/s; a larger difference between poses is not a single motion
 
 
 @record("camera_motion.pose")
 @dataclass(frozen=True, eq=False)
 class TimedPose:
     """The camera at ``t`` (s), and how it moved about the middle between the image before and
-    this one; None where that is not known."""
+    this one; None if unknown."""
 
     t: float
     pose: CameraPose
@@ -39,8 +39,8 @@ class CameraMotionEstimate:
         """All of it that changes."""
 
     def moved(self, frame: BlobFrame) -> BlobFrame:
-        """The frame with the motion of its camera; without one where there is no pose, and where
-        the image before is too long ago."""
+        """Returns the frame with the motion of its camera; without it if there is no pose, or if
+        the previous image is too old."""
         if frame.pose is None:
             return frame
         before, self.last = self.last, TimedPose(frame.t, frame.pose)

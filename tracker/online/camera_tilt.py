@@ -1,10 +1,10 @@
 """The orientation of a moving camera from its own gyroscope and accelerometer.
 
-For a camera that no one tells a pose of, such as one on the head. Gyroscope integration keeps the
-orientation, gravity pulls its tilt and the gyroscope's bias about level axes back (Mahony, Hamel,
+For a camera whose pose is not reported, such as one on the head. Gyroscope integration gives the
+orientation; gravity corrects its tilt and the gyroscope's bias about level axes (Mahony, Hamel,
 Pflimlin 2008, explicit complementary filter). The heading is integration alone and drifts slowly,
-which turns the room and the hand in it together: in the camera's frame nothing is seen of that. The
-position is taken to be fixed; what a head sways is small against what a hand does.
+which turns the room and the hand together and does not show in the camera's frame. The
+position is assumed to be fixed: a head sways little compared with the motion of a hand.
 """
 
 from __future__ import annotations
@@ -24,20 +24,21 @@ UP = np.array([0.0, 0.0, 1.0])
 
 @dataclass(frozen=True)
 class CameraTiltParams:
-    """``gain`` must be below what a head accelerates and above what a gyroscope's bias drifts."""
+    """``gain`` must be small against a head's accelerations and large against the drift of a
+    gyroscope's bias."""
 
-    gain: float = 0.3  # 1/s, of tilt towards what the accelerometer says
+    gain: float = 0.3  # 1/s, of tilt towards the accelerometer's direction
     bias_gain: float = 0.01  # 1/s²
-    trust: float = 1.0  # m/s² by which a believable specific force may differ from gravity
+    trust: float = 1.0  # m/s² by which a specific force may differ from gravity to be used
     longest_step: float = 0.2  # s between samples, beyond which the tilt is reset
-    memory: float = 1.0  # s that an image may come late
-    ahead: float = 0.1  # s beyond the newest sample, after which the camera is taken to rest
+    memory: float = 1.0  # s of an image's delay, at most
+    ahead: float = 0.1  # s beyond the newest sample, after which the camera is assumed to rest
 
 
 @record("camera_tilt.rotation", shapes={"R_GC": "3 3", "rate": "3"})
 @dataclass(frozen=True, eq=False)
 class _CameraRotation:
-    """At ``t`` (s): R_GC (3, 3) and the angular rate (3,) rad/s in C from there on."""
+    """At ``t`` (s): R_GC (3, 3) and the angular rate (3,) rad/s in C from then on."""
 
     t: float
     R_GC: Array
@@ -65,7 +66,7 @@ class CameraTilt:
         self._rotations: deque[_CameraRotation] = deque()
 
     def feed(self, sample: CameraImuSample) -> None:
-        """The next sample; one that is late or not finite is left out."""
+        """Adds the next sample; a late or non-finite one is ignored."""
         if not (np.isfinite(sample.gyro).all() and np.isfinite(sample.accel).all()):
             return
         last, R = self._last, self._rotations[-1].R_GC if self._rotations else self._nominal.R_GC
@@ -115,17 +116,17 @@ class CameraTilt:
         return CameraTiltSavedState(self._bias, self._last, list(self._rotations))
 
     def set_state(self, state: CameraTiltSavedState) -> None:
-        """Go on from `get_state`."""
+        """Continues from `get_state`."""
         self._bias, self._last = state.bias, state.last
         self._rotations = deque(state.rotations)
 
 
 def _levelled(R_GC: Array, accel: Array) -> Array:
-    """R_GC turned the shortest way so that the measured force (3,) in C points up."""
+    """R_GC after the smallest rotation that makes the measured force (3,) in C point up."""
     up = R_GC @ accel / max(float(np.linalg.norm(accel)), 1e-9)
     axis = np.cross(up, UP)
     sine = float(np.linalg.norm(axis))
-    if sine < 1e-9:  # level already, or upside down about an axis that no one knows
+    if sine < 1e-9:  # already level, or upside down, where the axis is undefined
         return R_GC if up[2] > 0 else so3.rx(np.pi) @ R_GC
     angle = float(np.arctan2(sine, up[2]))
     turned: Array = so3.exp(axis / sine * angle) @ R_GC

@@ -1,4 +1,4 @@
-"""Reports colours that do not fit: many patches for a while, and no hand among them."""
+"""Reports colours that do not match: many patches for a while, but no hand."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ GAP = 1.0  # s without images, after which it starts over
 
 
 class ColourWatch:
-    """For one glove with so many ``markers``; times in s of the images' stamps."""
+    """For one glove with this number of ``markers``; times in s of the images' stamps."""
 
     def __init__(self, markers: int) -> None:
         self._markers = markers
@@ -21,7 +21,7 @@ class ColourWatch:
         self.unfit = False
 
     def look(self, blobs: BlobFrame, tracking: Tracking) -> None:
-        """One more image, and what was made of it."""
+        """Adds an image and its result."""
         count = max((len(b) for b in (blobs.left, blobs.right) if b is not None), default=0)
         lost = tracking in (Tracking.SEARCHING, Tracking.LOST)
         if not lost or not self._is_strange(count) or blobs.t - self._last > GAP:
@@ -35,7 +35,7 @@ class ColourWatch:
             self.notices.post(warning("colours.unfit", patches=self._most))
 
     def _is_strange(self, count: int) -> bool:
-        """Whether so many patches are more than a glove and a room should show."""
+        """Whether there are more patches than a glove and a room should show."""
         return count > MANY * self._markers
 
     def _begin(self, t: float) -> None:
@@ -44,5 +44,5 @@ class ColourWatch:
         self._since, self._most, self.unfit = t, 0, False
 
     def figures(self) -> dict[str, float]:
-        """Whether the colours are to blame now."""
+        """Whether the colours are the likely cause now."""
         return {"colours_unfit": float(self.unfit)}

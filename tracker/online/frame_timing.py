@@ -1,7 +1,7 @@
-"""Images on their way through an engine, put on the glove's clock.
+"""Converts the time stamps of images to the glove's clock.
 
-The engine gets them with the offset taken off once that is known well enough and worth it; whoever
-sent them gets the results back under their own stamps.
+Once the offset is known well enough and is significant, it is subtracted for the engine; the
+results are returned with the original stamps.
 """
 
 from __future__ import annotations
@@ -14,17 +14,17 @@ from tracker.messages import BlobFrame, FrameResult, ImuSample
 from tracker.online.stamp_jitter import StampJitter, StampJitterSavedState
 from tracker.online.time_offset import Offset, TimeOffset, TimeOffsetSavedState
 
-WAITING = 64  # images that may be under way
+WAITING = 64  # maximum number of pending images
 
 
 @dataclass(frozen=True)
 class TimingParams:
-    """When the measured offset is taken off. Times in s."""
+    """When the measured offset is subtracted. Times in s."""
 
     apply: bool = True
     sure: float = 0.003  # standard deviation, at most
     clear: float = 3.0  # standard deviations from zero, at least
-    worth: float = 0.005  # offset from which on it is taken off: below it, it may be noise
+    worth: float = 0.005  # least offset that is subtracted: a smaller one may be noise
     step: float = 0.001  # change from one image to the next
     jitter: bool = True  # whether the jitter of stamps counts as noise
 
@@ -32,8 +32,8 @@ class TimingParams:
 @record("frame_timing")
 @dataclass(eq=False)
 class FrameTimingSavedState:
-    """All of it that changes: what was measured, images under way with the instants (s) that the
-    engine received, the offset (s) aimed at and taken off, and the jitter of stamps."""
+    """The saved state: the measurement, pending images with the instants (s) that the
+    engine received, the target and applied offset (s), and the jitter of stamps."""
 
     offset: TimeOffsetSavedState
     under_way: list[tuple[float, BlobFrame]]
@@ -51,20 +51,20 @@ class FrameTiming:
         self._jitter = StampJitter()
         self._target = 0.0
         self.applied = 0.0
-        """s that are taken off stamps now."""
+        """Offset (s) that is currently subtracted from stamps."""
 
     @property
     def offset(self) -> Offset:
-        """What images are late by, as measured."""
+        """The measured delay of images."""
         return self._offset.estimate
 
     @property
     def jitter(self) -> float:
-        """s, standard deviation of the stamps, as measured; 0 while unknown."""
+        """Measured standard deviation of the stamps (s); 0 while unknown."""
         return self._jitter.measured
 
     def packet(self, sample: ImuSample) -> None:
-        """Before the engine takes a packet."""
+        """To be called before the engine receives a packet."""
         self._offset.feed_imu(sample)
 
     def corrected(self, frame: BlobFrame) -> BlobFrame:
@@ -81,7 +81,7 @@ class FrameTiming:
         return replace(frame, t=t, stamp_sd=sd)
 
     def restored(self, result: FrameResult) -> FrameResult:
-        """The engine's result under the image's own stamp; the offset learns from it."""
+        """Returns the engine's result with the image's own stamp; updates the offset."""
         while self._under_way and self._under_way[0][0] < result.t:
             self._under_way.popleft()
         if not self._under_way or self._under_way[0][0] != result.t:
@@ -91,7 +91,7 @@ class FrameTiming:
         return result if frame.t == result.t else replace(result, t=frame.t)
 
     def _aim(self) -> None:
-        """Once an offset is worth it, the measurement is followed."""
+        """Once an offset is significant, it follows the measurement."""
         measured, p = self._offset.estimate, self._params
         if not p.apply or measured.sd > p.sure:
             return
@@ -99,13 +99,13 @@ class FrameTiming:
             self._target = measured.value
 
     def get_state(self) -> FrameTimingSavedState:
-        """Everything that changes."""
+        """The state to save."""
         offset, under_way = self._offset.get_state(), list(self._under_way)
         jitter = self._jitter.get_state()
         return FrameTimingSavedState(offset, under_way, self._target, self.applied, jitter)
 
     def set_state(self, state: FrameTimingSavedState) -> None:
-        """Go on from `get_state`."""
+        """Continues from `get_state`."""
         self._offset.set_state(state.offset)
         self._under_way = deque(state.under_way, maxlen=WAITING)
         self._target, self.applied = state.target, state.applied

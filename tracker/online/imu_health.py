@@ -1,4 +1,4 @@
-"""Which IMUs can be believed: silent, not finite, saturated for long, or stuck at one value."""
+"""Detects IMUs that must not be used: not responding, not finite, saturated for long, or stuck."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from tracker.kernels import kernel
 from tracker.kernels.arrays import BoolVector, IntVector, Matrix, Written
 from tracker.messages import Array, ImuSample, IntArray
 
-STUCK_AFTER = 10  # identical packets; noise alone moves a living MPU-9250 by several LSB
+STUCK_AFTER = 10  # identical packets; noise alone changes a working MPU-9250 by several LSB
 
 
 @record("imu_health", shapes={"last": "n 6", "same": "int n"})
 @dataclass(eq=False)
 class ImuHealthSavedState:
-    """last (n, 6): accel and gyro of the packet before; same (n,): how often they came again."""
+    """last (n, 6): accel and gyro of the previous packet; same (n,): number of repetitions."""
 
     last: Array
     same: IntArray
@@ -31,7 +31,7 @@ class ImuHealth:
         self._same: IntArray = np.zeros(n, np.int64)
 
     def check(self, sample: ImuSample) -> ImuSample:
-        """The packet with ``valid`` cleared where an IMU is not to be believed."""
+        """The packet with ``valid`` cleared for IMUs that must not be used."""
         valid, clean = _judge(
             sample.accel, sample.gyro, sample.valid, self._last, self._same, STUCK_AFTER
         )
@@ -49,11 +49,11 @@ class ImuHealth:
 
     @property
     def saved(self) -> ImuHealthSavedState:
-        """All that changes, as it is: for a copy."""
+        """The state to save, not copied."""
         return ImuHealthSavedState(self._last, self._same)
 
     def restore(self, saved: ImuHealthSavedState) -> None:
-        """Go on from what was `saved`, which is taken over."""
+        """Continues from a `saved` state, which it then owns."""
         self._last, self._same = saved.last, saved.same
 
 
@@ -66,9 +66,9 @@ def _judge(
     same: Written[IntVector],
     stuck_after: int,
 ) -> tuple[BoolVector, bool]:
-    """Which IMUs (n,) can be believed, and whether these are all that say so and are finite.
+    """Which IMUs (n,) can be used, and whether these are all that are valid and finite.
 
-    ``last`` (n, 6), the readings before, and ``same`` (n,), how often they came again, move on.
+    Updates ``last`` (n, 6), the previous readings, and ``same`` (n,), the number of repetitions.
     """
     n = len(valid)
     out, clean = np.empty(n, np.bool_), True

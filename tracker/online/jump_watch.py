@@ -1,13 +1,13 @@
-"""Notices that a camera was knocked: all markers are seen elsewhere than expected, at once.
+"""Detects that a camera was knocked: all markers suddenly appear displaced.
 
 One image is not enough: its stamp may be wrong, and then the hand's own
-motion explains what is seen. A jump is reported when
+motion explains the change. A jump is reported when
 
-- the images before agreed with what the filter expected, which knows the hand's motion by its IMUs;
-- the time stamps of packets and images were right before, during and after it;
-- no instant nearby explains it by where the markers were or by how fast they move; and
-- the images that follow show the markers displaced by the same vector from the course that they
-  were on, whatever the filter makes of it meanwhile.
+- the images before agreed with the filter's prediction, which knows the hand's motion by the IMUs;
+- the time stamps of packets and images were correct before, during and after it;
+- neither positions nor velocities of the markers at a nearby instant explain it; and
+- the next images show the markers displaced by the same vector from their previous
+  course, whatever the filter estimates meanwhile.
 
 The time stamps of an overloaded computer are unreliable: it takes images from a camera late and
 unevenly, and stamps them late. At the speed of a hand, 50 ms displace all markers by dozens of
@@ -38,11 +38,12 @@ class TrustParams:
     late: float = 0.05  # arrival after the instant, more than the least of late
     uneven: tuple[float, float] = (0.5, 1.8)  # of the usual interval between images
     images: int = 15  # over which that is taken
-    regain: float = 1.0  # without any of these, before stamps are trusted again
+    regain: float = 1.0  # without any of these, before stamps are used again
 
 
 class StampTrust:
-    """Fed with all packets and images; ``since`` is when (s) the stamps were last in doubt."""
+    """Receives all packets and images; ``since`` is the time (s) at which stamps were last
+    doubtful."""
 
     def __init__(self, params: TrustParams | None = None) -> None:
         self._params = params or TrustParams()
@@ -52,14 +53,14 @@ class StampTrust:
         self.since = float("-inf")
 
     def packet(self, t: float, t_arrival: float) -> None:
-        """A packet of the instant ``t`` (s)."""
+        """Adds a packet sampled at ``t`` (s)."""
         p = self._params
         if t - self._packet > p.packet_gap or self._packet_lags.excess(t, t_arrival) > p.late:
             self._doubt(t)
         self._packet = t
 
     def image(self, t: float, t_arrival: float) -> None:
-        """An image exposed at ``t`` (s)."""
+        """Adds an image exposed at ``t`` (s)."""
         interval, self._image = t - self._image, t
         late = self._image_lags.excess(t, t_arrival) > self._params.late
         if late or self._is_uneven(interval):
@@ -68,7 +69,7 @@ class StampTrust:
             self._intervals.append(interval)
 
     def is_given(self, t: float) -> bool:
-        """Whether stamps have been right for a while at ``t`` (s)."""
+        """Whether stamps have been correct for a while at ``t`` (s)."""
         return t - self.since >= self._params.regain
 
     def _is_uneven(self, interval: float) -> bool:
@@ -83,7 +84,7 @@ class StampTrust:
 
 
 class _Lags:
-    """How much later than the least lag of the last seconds something arrives."""
+    """The lag of arrivals beyond the least lag of the last seconds."""
 
     KEPT = 3.0  # s
 
@@ -110,17 +111,17 @@ class JumpParams:
     jump_px: float = 5.0
     jump_markers: int = 5
     jump_gap: float = 0.15  # s since the last image that agreed
-    usual_gap: float = 0.07  # s without an image that agreed, up to which ``jump_px`` is meant
-    ahead: float = 0.015  # s that an image may be of after the last packet
-    settle: float = 0.3  # s after that, and after markers were not seen to agree
-    late: float = 0.4  # s that an image may be older or newer than its stamp says
-    confirm: int = 3  # images after it that have to show it
+    usual_gap: float = 0.07  # s without an image that agreed, up to which ``jump_px`` applies
+    ahead: float = 0.015  # s between the last packet and an image, at most
+    settle: float = 0.3  # s after that, and after markers that did not agree
+    late: float = 0.4  # s by which an image may be older or newer than its stamp
+    confirm: int = 3  # images after it that must show it
     within: float = 0.35  # s in which they arrive
-    persists: float = 0.5  # share of the jump that they show at least
+    persists: float = 0.5  # least share of the jump that they must show
 
 
 class Jump(NamedTuple):
-    """px, by which both images moved ``together``, and ``apart`` from each other."""
+    """Displacement (px) of both images ``together``, and ``apart`` from each other."""
 
     apart: float
     together: float
@@ -137,19 +138,19 @@ class _Pending(NamedTuple):
 
 
 class JumpWatch:
-    """Takes every packet and image before the filter and every result after it."""
+    """Receives every packet and image before the filter and every result after it."""
 
     def __init__(self, focal_px: float, params: JumpParams | None = None) -> None:
         self._scale, self._params = focal_px / 640.0, params or JumpParams()
         self._trust = StampTrust()
-        self._agreed = -np.inf  # when markers last were where they were expected
+        self._agreed = -np.inf  # time when markers last were where they were expected
         self._agreed_since = np.inf
         self._packet = self._ahead = -np.inf
         self._expected: deque[tuple[float, Array]] = deque()
         self._pending: _Pending | None = None
 
     def packet(self, t: float, t_arrival: float) -> None:
-        """A packet of the glove, sampled at ``t`` (s)."""
+        """Adds a packet of the glove, sampled at ``t`` (s)."""
         self._trust.packet(t, t_arrival)
         self._packet = max(t, self._packet)
 
@@ -158,7 +159,7 @@ class JumpWatch:
         self._trust.image(t, t_arrival)
 
     def check(self, result: FrameResult) -> Jump | None:
-        """Compare an image with what the filter expected of it; a jump that is certain now."""
+        """Compares an image with the filter's prediction; returns a jump that is now certain."""
         p = self._params
         if result.t > self._packet + p.ahead:
             self._ahead = result.t
@@ -188,7 +189,7 @@ class JumpWatch:
     def _look(
         self, t: float, residual: Array, before: Sequence[tuple[float, Array]], places: Array
     ) -> None:
-        """Note a jump that begins with this image; the images that follow have to confirm it."""
+        """Stores a jump that begins with this image; the next images must confirm it."""
         p = self._params
         apart, together = sizes(residual, self._scale)
         # Carried on for longer, the hand itself is farther from where it was expected, in both
@@ -203,7 +204,7 @@ class JumpWatch:
         elif t - self._agreed <= p.jump_gap:
             settled = self._agreed - self._agreed_since >= p.settle
             self._agreed = -np.inf  # one jump is reported once
-            # settled: else how fast the hand moves is hardly known yet
+            # settled: before, the hand's velocity is hardly known
             is_new = apart > together or not self._is_of_another_instant(residual, before, places)
             if settled and is_new:
                 velocity = _velocity([*before, (t, places)])
@@ -228,7 +229,7 @@ class JumpWatch:
     def _is_of_another_instant(
         self, jump: Array, before: Sequence[tuple[float, Array]], now: Array
     ) -> bool:
-        """Whether the markers were at a place like this a moment ago, or will be as they move."""
+        """Whether the markers were near this position a moment ago, or soon will be."""
         limit = self._params.jump_px * self._scale
         for _, places in before:
             _, way = median_residual(places - now)
@@ -244,19 +245,19 @@ class JumpWatch:
 
 
 def sizes(residual: Array, scale: float) -> tuple[float, float]:
-    """How far (4,) px have moved the images apart, and together."""
+    """The displacement of the images apart and together, of (4,) px."""
     left_u, left_v, right_u, right_v = residual
     apart = float(np.hypot(right_u - left_u, right_v - left_v)) / scale
     return apart, float(np.hypot(right_u + left_u, right_v + left_v)) / 2 / scale
 
 
 def _in_common(columns: Array) -> Array:
-    """(2,) of both images of (4,)."""
+    """(2,) of both images from (4,)."""
     return (columns[:2] + columns[2:]) / 2
 
 
 def _velocity(expected: Sequence[tuple[float, Array]]) -> Array:
-    """(4,) px/s of the markers in both images, as expected from image to image; 0 if unknown."""
+    """(4,) px/s: expected velocity of the markers in both images; 0 if unknown."""
     steps = []
     for (t, before), (t_next, after) in itertools.pairwise(expected[-EXPECTED:]):
         n, moved = median_residual(after - before)
@@ -267,7 +268,7 @@ def _velocity(expected: Sequence[tuple[float, Array]]) -> Array:
 
 @kernel(nogil=False)
 def median_residual(residual: Matrix) -> tuple[int, Vector]:
-    """How many rows of residual (M, 4) px are finite, and the median of these, column by column."""
+    """The number of finite rows of residual (M, 4) px, and their median by column."""
     finite = np.empty(residual.shape)
     n = 0
     for row in residual:

@@ -1,14 +1,14 @@
-"""Two cameras that do not expose at the same instant: how much later the right one does.
+"""The delay of the right camera's exposure when two cameras are not synchronized.
 
-Two webcams run freely, so that the same marker stands on another row of the right image than of the
-left one while it moves:
+Two webcams run freely, so a moving marker appears in another row of the right image than of the
+left one:
 
     row_right - row_left = shift + late * speed of the row
 
-A straight line whose slope is how late the right image is, whatever the calibration leaves as a
-shift. The filter's own estimate enters only in which blob is which marker. What the right image
-shows is then moved back along the way that the hand is expected to have gone meanwhile, which is
-some pixels, known by the IMUs to a few per cent of that.
+The slope of this line is the delay of the right image, whatever row shift the calibration
+leaves. The filter's estimate enters only by the assignment of blobs to markers. The blobs of the
+right image are then moved back by the hand's expected motion during the delay, which is
+some pixels, and which the IMUs give within a few per cent.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from tracker.messages import Array, BlobFrame, Blobs, CameraPose, FrameResult, I
 from tracker.online.time_offset import Offset
 from tracker.vision.rig import StereoRig
 
-WAITING = 60  # images under way at most
+WAITING = 60  # maximum number of pending images
 
 
 @dataclass(frozen=True)
@@ -42,9 +42,9 @@ class PairOffsetParams:
     most_shift_px: float = 40.0  # of a row; more is another blob
     images: int = 60  # before anything is reported
     sure: float = 0.002  # standard deviation, at most
-    worth: float = 0.004  # below it the right image is left as it is
-    limit: float = 0.06  # beyond it the estimate is not believed
-    near_px: float = 80.0  # a blob so far from every marker is left where it is
+    worth: float = 0.004  # below it the right image is not changed
+    limit: float = 0.06  # beyond it the estimate is not used
+    near_px: float = 80.0  # a blob this far from every marker is not moved
 
 
 @record("pair_offset.rows", shapes={"marker": "int n", "left": "n", "right": "n"})
@@ -61,7 +61,7 @@ class _Rows(NamedTuple):
 @dataclass(eq=False)
 class LineSavedState:
     """Weighted sums over images: of 1, the speed w, the row difference e, w w, w e, the squared
-    residual, and the number of images; and when (s) the last came."""
+    residual, and the number of images; and the arrival (s) of the last one."""
 
     n: float = 0.0
     w: float = 0.0
@@ -73,7 +73,7 @@ class LineSavedState:
     last: float = -np.inf
 
     def take(self, t: float, w: Array, e: Array, memory: float, row_px: float) -> None:
-        """One more image: speeds w (n,) px/s and row differences e (n,) px."""
+        """Adds an image: speeds w (n,) px/s and row differences e (n,) px."""
         keep = float(np.exp(-(t - self.last) / memory)) if np.isfinite(self.last) else 1.0
         slope, shift = self.fit()
         r = e - shift - slope * w
@@ -109,7 +109,7 @@ class LineSavedState:
 @record("pair_offset")
 @dataclass(eq=False)
 class PairOffsetSavedState:
-    """All of it that changes."""
+    """The saved state."""
 
     seen: list[_Rows] = field(default_factory=list)
     all: LineSavedState = field(default_factory=LineSavedState)
@@ -119,7 +119,7 @@ class PairOffsetSavedState:
 
 
 class PairOffset:
-    """Before the engine for images, behind it for results. Does nothing with one camera."""
+    """Processes images before the engine and results after it. Does nothing with one camera."""
 
     def __init__(self, rig: StereoRig, params: PairOffsetParams | None = None) -> None:
         self._rig, self._params = rig, params or PairOffsetParams()
@@ -129,7 +129,7 @@ class PairOffset:
 
     @property
     def estimate(self) -> Offset:
-        """How much later than the left image the right one was taken, as measured."""
+        """The measured delay of the right image relative to the left one."""
         value, p = self._all.fit()[0], self._params
         if self._all.images < p.images or abs(value) > p.limit:
             return Offset()
@@ -137,7 +137,7 @@ class PairOffset:
 
     @property
     def applied(self) -> float:
-        """s by which the right image is moved back; 0 where that is not worth it, or unsure."""
+        """Time (s) by which the right image is corrected; 0 if negligible or uncertain."""
         found, p = self.estimate, self._params
         clear = found.sd <= p.sure and abs(found.value) > max(p.worth, 3 * found.sd)
         return found.value if clear else 0.0
@@ -145,12 +145,12 @@ class PairOffset:
     # ---- images
 
     def remember(self, frame: BlobFrame) -> None:
-        """An image as it came, to be learned from when its result comes."""
+        """Stores an image as received, until its result is available."""
         if frame.left is not None and frame.right is not None:
             self._under_way.append(frame)
 
     def moved_back(self, frame: BlobFrame, then: Array, late: Array) -> BlobFrame:
-        """The image with what the right one shows where it was when the left one was taken.
+        """The image with the right one's blobs moved to the instant of the left one.
 
         ``then`` and ``late`` (M, 3) m in G: markers expected at the two exposures.
         """
@@ -176,7 +176,7 @@ class PairOffset:
     # ---- results
 
     def learn(self, result: FrameResult) -> None:
-        """Take what an image's markers say."""
+        """Evaluates an image's markers."""
         while self._under_way and self._under_way[0].t < result.t:
             self._under_way.popleft()
         if not self._under_way or self._under_way[0].t != result.t:
@@ -214,8 +214,8 @@ class PairOffset:
             self._block, self._since = LineSavedState(), np.inf
 
     def _notice_jump(self) -> None:
-        """A camera that skipped an image is late by another time from then on: after a block in
-        which it did comes one that tells by how much."""
+        """A camera that skipped an image has another delay from then on: after a block in
+        which it did, the next block shows by how much."""
         p, block = self._params, self._block
         apart = abs(block.fit()[0] - self._all.fit()[0])
         if self._all.images >= p.images and apart > max(p.jump, 4 * block.sd) > 0:
@@ -224,7 +224,7 @@ class PairOffset:
     # ---- saving
 
     def get_state(self) -> PairOffsetSavedState:
-        """Everything that changes."""
+        """The state to save."""
         return PairOffsetSavedState(
             list(self._seen),
             replace(self._all),
@@ -234,7 +234,7 @@ class PairOffset:
         )
 
     def set_state(self, state: PairOffsetSavedState) -> None:
-        """Go on from `get_state`."""
+        """Continues from `get_state`."""
         self._seen = deque(state.seen, maxlen=3)
         self._all, self._block = replace(state.all), replace(state.block)
         self._since = state.since

@@ -1,4 +1,4 @@
-"""How far the right camera has turned since the stereo calibration, and images without that.
+"""Estimates the right camera's rotation since the stereo calibration and corrects images for it.
 
 Both rectified images show a marker in the same row. If the right camera has turned by a small
 r = (r_x, r_y, r_z) about its rectified axes, a marker that it shows at (x, y), in focal lengths
@@ -8,8 +8,8 @@ from the principal point, is too low there by (docs/chain.md, eq. 69)
 
 r_x is the vertical (epipolar) offset, r_z the roll. r_y, which changes distances, appears only
 between opposite corners; where markers do not determine it, it stays at its small prior. What
-enters is which blob is which marker, and nothing else of the filter, so that correcting images
-does not change what is measured.
+enters is the assignment of blobs to markers, and nothing else of the filter, so correcting images
+does not change the measurement.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from tracker.geometry import so3
 from tracker.messages import Array, BlobFrame, Blobs, FrameResult
 from tracker.vision.rig import StereoRig
 
-WAITING = 64  # images under way at most
+WAITING = 64  # maximum number of pending images
 GRID = np.array([[x, y] for x in (-0.5, 0.0, 0.5) for y in (-0.3, 0.0, 0.3)])
 """Directions (n, 2), in focal lengths, over which an offset is averaged: where hands are."""
 
@@ -48,16 +48,16 @@ class AlignmentParams:
     worth_px: float = 0.3  # offset from which on images are corrected
     clear: float = 3.0  # standard deviations of the offset, at least
     start_px: float = 1.5  # row shift that would keep a hand from being found,
-    start_images: int = 10  # as the median of so many images
+    start_images: int = 10  # as the median of this number of images
     recalibrate_px: float = 1.0  # offset from which on the rig should be calibrated again
 
 
 @record("rig_alignment", shapes={"r": "3", "P": "3 3 | 0 0", "applied": "3"})
 @dataclass(eq=False)
 class RigAlignmentSavedState:
-    """All of it that changes: rotation r (3,) rad with its covariance P (3, 3), when (s) an image
-    was used last, the rotation that is taken off, the number of contradicting images, row
-    shifts (px) before the first match, and images under way."""
+    """The saved state: rotation r (3,) rad with its covariance P (3, 3), the time (s) of the image
+    used last, the applied correction, the number of contradicting images, row
+    shifts (px) before the first match, and pending images."""
 
     r: Array = field(default_factory=lambda: np.zeros(3))
     P: Array = field(default_factory=lambda: np.zeros((0, 0)))
@@ -69,7 +69,7 @@ class RigAlignmentSavedState:
 
 
 class RigAlignment:
-    """Before the engine for images, after it for results. Does nothing with one camera."""
+    """Processes images before the engine and results after it. Does nothing with one camera."""
 
     def __init__(self, rig: StereoRig, params: AlignmentParams | None = None) -> None:
         self._rig, self._params = rig, params or AlignmentParams()
@@ -79,7 +79,7 @@ class RigAlignment:
         self._shifts: list[float] = []
         self._under_way: deque[BlobFrame] = deque(maxlen=WAITING)
         self.applied: Array = np.zeros(3)
-        """(3,) rad, the right camera's rotation that is taken off images."""
+        """(3,) rad: the right camera's rotation for which images are corrected."""
         self.notices = Outbox()
 
     @property
@@ -98,13 +98,13 @@ class RigAlignment:
     # ---- images
 
     def remember(self, frame: BlobFrame) -> None:
-        """An image as it arrived, from which the result is learned."""
+        """Stores an image as received, until its result is available."""
         if frame.left is not None and frame.right is not None:
             self._under_way.append(frame)
 
     def start_from(self, shift: float) -> None:
         """An image's row shift (left minus right, px; NaN: unknown), which needs no hand. It is
-        used until the first markers are matched, so that they can be."""
+        used until the first markers are matched."""
         p = self._params
         if not p.apply or np.isfinite(self._last) or not np.isfinite(shift):
             return
@@ -115,7 +115,7 @@ class RigAlignment:
             self.applied = self._r.copy()
 
     def aligned(self, frame: BlobFrame) -> BlobFrame:
-        """The image as the right camera would have taken it where it was when calibrated."""
+        """The image as if the right camera had not moved since the calibration."""
         if not self.applied.any() or frame.right is None:
             return frame
         return replace(frame, right=self._moved(frame.right))
@@ -127,7 +127,7 @@ class RigAlignment:
         return replace(blobs, uv=camera.unrectify(self._turned(camera.rectify(blobs.uv), 1.0)))
 
     def _turned(self, uv: Array, sign: float) -> Array:
-        """Rectified pixels (n, 2) with the applied rotation taken off (1) or added (-1)."""
+        """Rectified pixels (n, 2) with the applied rotation removed (1) or added (-1)."""
         rays = np.column_stack([self._directions(uv), np.ones(len(uv))])
         rays = rays @ so3.exp(sign * self.applied).T
         rig = self._rig
@@ -137,7 +137,7 @@ class RigAlignment:
     # ---- results
 
     def restored(self, result: FrameResult) -> FrameResult:
-        """The engine's result of an aligned image for the image as it arrived."""
+        """Converts the engine's result for an aligned image to the image as received."""
         if not self.applied.any():
             return result
         camera, uv = self._rig.right, result.predicted_right.copy()
@@ -147,7 +147,7 @@ class RigAlignment:
         return replace(result, predicted_right=uv)
 
     def learn(self, result: FrameResult) -> None:
-        """Take what an image's markers show."""
+        """Evaluates an image's markers."""
         while self._under_way and self._under_way[0].t < result.t:
             self._under_way.popleft()
         if not self._under_way or self._under_way[0].t != result.t:
@@ -167,7 +167,7 @@ class RigAlignment:
             self._take(frame.t, self._rows(self._directions(right[usual])), e[usual])
 
     def _take(self, t: float, H: Array, e: Array) -> None:
-        """One image: rows H (n, 3) px/rad and offsets e (n,) px."""
+        """Updates with one image: rows H (n, 3) px/rad and offsets e (n,) px."""
         p, scale = self._params, self._scale
         since = t - self._last if np.isfinite(self._last) else 0.0
         self._P = self._P + np.eye(3) * p.drift**2 * max(since, 0.0)
@@ -214,14 +214,14 @@ class RigAlignment:
     # ---- saving
 
     def get_state(self) -> RigAlignmentSavedState:
-        """Everything that changes."""
+        """The state to save."""
         return RigAlignmentSavedState(
             self._r.copy(), self._P.copy(), float(self._last), self.applied.copy(),
             self._contradicted, list(self._shifts), list(self._under_way),
         )  # fmt: skip
 
     def set_state(self, state: RigAlignmentSavedState) -> None:
-        """Go on from `get_state`; a recording without a state starts from the prior."""
+        """Continues from `get_state`; a recording without a state starts from the prior."""
         self._r, self.applied = state.r.copy(), state.applied.copy()
         self._P = state.P.copy() if state.P.size else self._prior()
         self._last, self._contradicted = state.last, state.contradicted

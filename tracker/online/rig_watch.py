@@ -1,14 +1,14 @@
-"""Notices a stereo camera that is not the one of its calibration: swapped images, moved lenses.
+"""Detects a stereo camera that does not match its calibration: swapped images, moved lenses.
 
-Three signs, none of which needs to know where the hand is:
+Three indications, none of which requires the hand's position:
 
-- **Swapped**: partners of one hue lie on one row, the right one to the left. If many lie the other
-  way round and few the right way, left is right. Such an image is not to be used.
+- **Swapped**: blobs of one hue match in one row, with a positive disparity. If many match with
+  a negative one and few with a positive one, the images are swapped. Such an image is not used.
 - **Row shift**: the row difference that most pairs agree on. It is 0 for a calibrated pair;
-  a lens that moved up or down, turned or was knocked shows here for good.
-- **Jump**: all markers are elsewhere than the filter expected, by the same vector, from one image
-  to the next, and stay there (`jump_watch`). No hand does that. A lens moved along the baseline
-  shows in no other sign: afterwards it looks like a hand of another size farther away.
+  a lens that moved up or down, turned or was knocked changes it permanently.
+- **Jump**: between two images all markers are displaced from the filter's prediction by the same
+  vector, and stay there (`jump_watch`). No hand does that. A lens moved along the baseline
+  gives no other indication: afterwards the hand appears to have another size and distance.
 
 A lens that had already moved along the baseline when tracking began cannot be detected.
 """
@@ -29,7 +29,7 @@ from tracker.messages import Array, BlobFrame, Blobs, FrameResult, IntArray
 from tracker.online.jump_watch import Jump, JumpParams, JumpWatch
 from tracker.vision.rig import StereoRig
 
-SHIFTS = 24  # rows, either way, among which the commonest shift is looked for
+SHIFTS = 24  # rows up or down, among which the most frequent shift is searched
 RIGHT_WAY, WRONG_WAY = 0, 1
 
 
@@ -41,7 +41,7 @@ class RigWatchParams:
     farthest: float = 0.9  # m
     row_px: float = 1.5  # half the width of a row
     votes: int = 4  # pairs that a verdict needs
-    clear: float = 2.0  # times as many as for anything else
+    clear: float = 2.0  # ratio to the votes for any other shift
     shift_px: float = 1.5  # row shift of a camera that has moved
     shift_pictures: int = 15  # over which the median is taken
     swapped_pictures: int = 3  # in a row, before it is reported
@@ -59,7 +59,7 @@ class RigState:
 
 
 class RigWatch:
-    """Takes every image before the filter and every result after it."""
+    """Receives every image before the filter and every result after it."""
 
     def __init__(
         self, rig: StereoRig, params: RigWatchParams | None = None, jumps: JumpParams | None = None
@@ -73,10 +73,10 @@ class RigWatch:
         self.state = RigState()
         self.shift = float("nan")
         """px by which the rows of the left image exceed those of the right one in the last image;
-        NaN where pairs do not agree on one."""
+        NaN if pairs do not agree."""
 
     def usable(self, frame: BlobFrame) -> bool:
-        """Whether left is left in this image, as far as it shows. Depends on it alone."""
+        """Whether this image is not swapped, judged by this image alone."""
         self._jumps.image(frame.t, frame.t_arrival)
         self.shift = float("nan")
         if frame.left is None or frame.right is None:
@@ -91,11 +91,12 @@ class RigWatch:
         return not swapped
 
     def packet(self, t: float, t_arrival: float) -> None:
-        """A packet of the glove, sampled at ``t`` (s): without them a jump means nothing."""
+        """Adds a packet of the glove, sampled at ``t`` (s): without packets a jump cannot be
+        detected."""
         self._jumps.packet(t, t_arrival)
 
     def check(self, result: FrameResult) -> None:
-        """Compare an image with what the filter expected of it."""
+        """Compares an image with the filter's prediction."""
         jump = self._jumps.check(result)
         if jump is not None:
             self._note_jump(jump)
@@ -103,7 +104,7 @@ class RigWatch:
     # ---- verdicts
 
     def _note_order(self, swapped: bool, in_order: bool) -> None:
-        """Report swapped images, and images in order again, after several in a row."""
+        """Reports swapped images, and correct ones again, after several in a row."""
         self._wrong_way = self._wrong_way + 1 if swapped else 0
         self._right_way = self._right_way + 1 if in_order else 0
         state, enough = self.state, self._params.swapped_pictures
@@ -157,8 +158,9 @@ class RigWatch:
 
 @kernel(nogil=False)
 def leaders(counts: IntMatrix, means: Matrix) -> tuple[int, int, int, float]:
-    """For `row_votes`: the most votes for one shift the right way round, the most the wrong way
-    round, the most the right way round more than three rows from the first, and its mean shift px.
+    """For `row_votes`: the most votes for one shift with a possible disparity, the most with a
+    negative one, the most with a possible one more than three rows from the first, and the mean
+    shift (px).
     """
     best, wrong, others = 0, 0, 0
     n = counts.shape[1]
@@ -181,11 +183,11 @@ def row_votes(
     disparity: tuple[float, float],
     row_px: float,
 ) -> tuple[IntMatrix, Matrix]:
-    """How many left blobs have a partner at each row shift: counts (2, 49), mean shift (2, 49) px.
+    """Number of left blobs with a match at each row shift: counts (2, 49), mean shift (2, 49) px.
 
-    Columns are shifts (left minus right row) of -24 to 24 px. Row 0 counts partners with a
-    ``disparity`` (least, most; px) that a hand can have, row 1 with the same one the wrong way
-    round. A blob with several partners at one shift counts once.
+    Columns are shifts (left minus right row) of -24 to 24 px. Row 0 counts matches with a
+    ``disparity`` (least, most; px) that a hand can have, row 1 with the negative of this
+    disparity. A blob with several matches at one shift counts once.
     """
     n = 2 * SHIFTS + 1
     counts, total = np.zeros((2, n), np.int64), np.zeros((2, n))

@@ -1,8 +1,8 @@
-"""How much the time stamps of images jitter about the camera's regular exposures.
+"""Estimates the jitter of images' time stamps about the camera's regular exposures.
 
 A camera exposes at a constant rate: a grid of instants whose phase and period follow the stamps by
-the gains of a straight line through the last images. What a stamp differs from the instant that is
-predicted for it is its jitter. Missing images are steps over several periods.
+the gains of a straight line through the last images. The difference of a stamp from its predicted
+instant is its jitter. Missing images are steps over several periods.
 """
 
 from __future__ import annotations
@@ -19,20 +19,20 @@ class JitterParams:
     """Times in s."""
 
     first: int = 15  # steps whose median is the first period
-    line: int = 40  # images of the straight line
+    line: int = 40  # images to which the straight line is fitted
     memory: float = 300.0  # images over which older ones are forgotten
-    images: float = 20.0  # on the line before anything is said
+    images: float = 20.0  # images on the line before the jitter is reported
     longest_gap: float = 1.0
     worth: float = 0.0008  # below it, the noise of the markers covers it
     most: float = 0.012  # of one image
     odd: float = 0.3  # of a period
-    odd_images: int = 6  # in a row, after which the camera has another rate
+    odd_images: int = 6  # consecutive ones, after which the camera has another rate
 
 
 @record("stamp_jitter")
 @dataclass(eq=False)
 class StampJitterSavedState:
-    """All of it that changes: the last stamp, the first steps, the grid's last instant and period
+    """The saved state: the last stamp, the first steps, the grid's last instant and period
     (s; NaN before it is known), the images on it, sums over images of 1 and of the squared
     differences (s²), and the number of the last images that do not fit it."""
 
@@ -47,28 +47,28 @@ class StampJitterSavedState:
 
 
 class StampJitter:
-    """Takes the stamps of images in order."""
+    """Receives the stamps of images in order."""
 
     def __init__(self, params: JitterParams | None = None) -> None:
         self._params, self._saved = params or JitterParams(), StampJitterSavedState()
 
     @property
     def measured(self) -> float:
-        """s, standard deviation of a stamp; 0 while unknown."""
+        """Standard deviation of a stamp (s); 0 while unknown."""
         now, p = self._saved, self._params
         if now.count < p.images:
             return 0.0
-        of_line = 1.0 + 4.0 / p.line  # the variance of the line's prediction is that much of it
+        of_line = 1.0 + 4.0 / p.line  # ratio of the prediction's variance to that of a stamp
         return math.sqrt(now.squares / now.count / of_line)
 
     @property
     def sd(self) -> float:
-        """s, as used for noise: 0 where it is negligible."""
+        """Jitter (s) that counts as noise: 0 if negligible."""
         found = self.measured
         return found if found >= self._params.worth else 0.0
 
     def take(self, t: float) -> None:
-        """The next image's stamp."""
+        """Adds the next image's stamp."""
         now, p = self._saved, self._params
         step, now.last = t - now.last, t
         if not 0.0 < step <= p.longest_gap:
@@ -81,7 +81,7 @@ class StampJitter:
         self._follow(t)
 
     def _follow(self, t: float) -> None:
-        """Compare with the grid, and let it follow."""
+        """Compares a stamp with the grid and updates the grid."""
         now, p = self._saved, self._params
         periods = max(1, round((t - now.instant) / now.period))
         expected = now.instant + periods * now.period
@@ -99,9 +99,9 @@ class StampJitter:
             now.squares = keep * now.squares + min(abs(off), p.most) ** 2
 
     def get_state(self) -> StampJitterSavedState:
-        """Everything that changes."""
+        """The state to save."""
         return replace(self._saved, steps=list(self._saved.steps))
 
     def set_state(self, state: StampJitterSavedState) -> None:
-        """Go on from `get_state`."""
+        """Continues from `get_state`."""
         self._saved = replace(state, steps=list(state.steps))

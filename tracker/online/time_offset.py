@@ -1,15 +1,15 @@
-"""How late the camera's stamps are against the glove's, from the motion of the back of the hand.
+"""Estimates the delay of the camera's stamps from the motion of the back of the hand.
 
 Markers on the root segment that both cameras see give its orientation R_GB without any IMU, as do
-more of them in the image of one camera, by perspective; the root's gyroscope gives how it turned
-since a moment before. Where images are stamped late by o,
+more of them in the image of one camera, by perspective; the root's gyroscope gives the rotation
+since a moment before. If images are stamped late by o,
 
     log(D_gyro^T D_markers) = o (D_gyro^T w_0 - w_1)
 
 for the turns D and the rates w at the two instants: a straight line through zero whose slope is o.
 Differences over a fraction of a second leave out drift, gyro bias and the camera's yaw. Nothing of
-the filter's own estimate enters but which blob is which marker, so that correcting for the offset
-does not change what is measured.
+the filter's estimate enters except the assignment of blobs to markers, so correcting the offset
+does not change the measurement.
 """
 
 from __future__ import annotations
@@ -41,22 +41,22 @@ class TimeOffsetParams:
 
     least: float = 0.20  # between the two images of a pair
     most: float = 0.45
-    every: float = 0.03  # between two images that are used: more tell little more
+    every: float = 0.03  # between two images that are used: more add little information
     packet_gap: float = 0.05  # a longer one breaks the gyroscope's integral
     memory: float = 180.0  # over which older pairs are forgotten
     markers: int = 4  # that an image needs
     markers_of_one: int = 5  # that the image of one camera needs
     misfit: float = 0.004  # m, RMS of the markers about the rigid root
     huber: float = 2.0  # standard deviations
-    limit: float = 0.1  # beyond it the estimate is not believed
+    limit: float = 0.1  # beyond it the estimate is not used
     correlation: float = 2.0  # of neighbouring pairs: factor on the variance
-    correlation_of_one: float = 8.0  # the same of one camera, whose perspective errs for longer
+    correlation_of_one: float = 8.0  # the same for one camera, whose perspective errors last longer
     pairs: int = 60  # before anything is reported
 
 
 @dataclass(frozen=True)
 class Offset:
-    """``value`` s that images are stamped late by (early where negative), ``sd`` s; NaN, inf
+    """``value``: delay (s) of the images' stamps (negative: early), with ``sd`` (s); NaN, inf
     while unknown."""
 
     value: float = float("nan")
@@ -75,7 +75,7 @@ class _GyroRotation(NamedTuple):
 @record("time_offset.view", shapes={"marker": "int n", "p_G": "n 3", "R_GB": "3 3"})
 class _RootView(NamedTuple):
     """The root's markers in an image: rows ``marker`` (n,), positions p_G (n, 3) m but for the
-    camera's own; and R_GB (3, 3) that they say, within the error of their placement."""
+    camera's own; and their R_GB (3, 3), within the error of their placement."""
 
     t: float
     marker: IntVector
@@ -86,8 +86,8 @@ class _RootView(NamedTuple):
 @record("time_offset")
 @dataclass(eq=False)
 class TimeOffsetSavedState:
-    """All of it that changes: what is remembered of gyroscope and images, sums over pairs of
-    images, and when (s) an image was used and seen last."""
+    """The saved state: recent gyroscope samples and images, sums over pairs of
+    images, and the times (s) of the images used and seen last."""
 
     gyro: list[_GyroRotation]
     seen: list[_RootView]
@@ -102,7 +102,7 @@ class TimeOffsetSavedState:
 
 
 class TimeOffset:
-    """Takes packets and images in order; `estimate` is there at any time."""
+    """Receives packets and images in order; `estimate` is available at any time."""
 
     def __init__(
         self,
@@ -127,7 +127,7 @@ class TimeOffset:
 
     @property
     def estimate(self) -> Offset:
-        """The offset as of now."""
+        """The current estimate of the offset."""
         p = self._params
         if self._count < p.pairs or self._ata <= 0:
             return Offset()
@@ -139,7 +139,7 @@ class TimeOffset:
         return Offset(float(value), float(np.sqrt(variance)))
 
     def feed_imu(self, sample: ImuSample) -> None:
-        """Go on with the gyroscope's integral."""
+        """Continues the gyroscope's integral."""
         if self._imu < 0 or not sample.valid[self._imu]:
             return
         rate = rotate(self._R_BI, sample.gyro[self._imu])
@@ -157,7 +157,7 @@ class TimeOffset:
         self._process()
 
     def feed_image(self, frame: BlobFrame, result: FrameResult) -> None:
-        """An image with its own stamp, and which blob of it is which marker."""
+        """Adds an image with its own stamp and the assignment of blobs to markers."""
         if abs(frame.t - self._last_seen) < self._params.every:
             return
         view = self._view(frame, result)
@@ -167,7 +167,7 @@ class TimeOffset:
             self._process()
 
     def get_state(self) -> TimeOffsetSavedState:
-        """Everything that changes."""
+        """The state to save."""
         return TimeOffsetSavedState(
             gyro=list(self._gyro),
             seen=list(self._seen),
@@ -182,7 +182,7 @@ class TimeOffset:
         )
 
     def set_state(self, state: TimeOffsetSavedState) -> None:
-        """Go on from `get_state`."""
+        """Continues from `get_state`."""
         self._gyro, self._seen, self._late = deque(state.gyro), deque(state.seen), deque(state.late)
         self._ata, self._atb, self._rss = state.ata, state.atb, state.rss
         self._count, self._last, self._last_seen = state.count, state.last, state.last_seen
@@ -191,8 +191,8 @@ class TimeOffset:
     # ---- markers
 
     def _view(self, frame: BlobFrame, result: FrameResult) -> _RootView | None:
-        """The root's markers that all images show; None where they are few or do not fit."""
-        if not frame.left or not frame.right:  # none there, or none with a blob
+        """The root's markers that all images show; None if they are too few or do not match."""
+        if not frame.left or not frame.right:  # no markers, or none with a blob
             return self._view_of_one(frame, result)
         marker, left, right = _in_both(self._markers, result.match_left, result.match_right)
         if len(marker) < self._params.markers:
@@ -208,7 +208,7 @@ class TimeOffset:
         return _RootView(frame.t, marker, p_G, R_GB) if misfit < self._params.misfit else None
 
     def _view_of_one(self, frame: BlobFrame, result: FrameResult) -> _RootView | None:
-        """The same of one camera; its markers are placed as the root's pose has them."""
+        """The same for one camera; its markers are placed by the root's pose."""
         blobs, match = frame.left, result.match_left
         camera = self._rig.left
         if not blobs:
@@ -232,7 +232,7 @@ class TimeOffset:
     # ---- pairs
 
     def _process(self) -> None:
-        """Images that packets cover are paired with an earlier one."""
+        """Pairs images that packets cover with an earlier one."""
         while self._late and self._gyro and self._late[0].t <= self._gyro[-1].t:
             now = self._late.popleft()
             if now.t < self._gyro[0].t:
@@ -245,7 +245,7 @@ class TimeOffset:
             self._seen.append(now)
 
     def _pair(self, before: _RootView, now: _RootView) -> None:
-        """The turn that the same markers made, so that their placement does not matter."""
+        """The rotation of the same markers, which does not depend on their placement."""
         gyro_0, gyro_1 = self._rotation_at(before.t), self._rotation_at(now.t)
         if gyro_0 is None or gyro_1 is None:
             return
@@ -256,7 +256,7 @@ class TimeOffset:
             self._take(now.t, a, e)
 
     def _rotation_at(self, t: float) -> _GyroRotation | None:
-        """For the gyroscope, between two packets."""
+        """The gyroscope's orientation between two packets."""
         gyro = self._gyro
         for k in range(len(gyro) - 1, 0, -1):
             if gyro[k - 1].t <= t <= gyro[k].t:
@@ -267,7 +267,7 @@ class TimeOffset:
         return None
 
     def _take(self, t: float, a: Array, e: Array) -> None:
-        """One more point (three equations of equal variance) of the line, with Huber's weight."""
+        """Adds a point of the line (three equations of equal variance) with Huber's weight."""
         p = self._params
         keep = float(np.exp(-(t - self._last) / p.memory)) if np.isfinite(self._last) else 1.0
         self._last = t
@@ -283,7 +283,7 @@ class TimeOffset:
 
 def posed(points: Array, seen: Array) -> tuple[Array, Array, float] | None:
     """R_CB (3, 3), p_CB (3,) m of points (n, 3) m in B that are seen in the directions (n, 2), at
-    depth 1 in C; beside it the misfit, m RMS across the rays. None where there is none."""
+    depth 1 in C; and the misfit, m RMS across the rays. None without a solution."""
     found, turn, place = cv2.solvePnP(
         points.reshape(-1, 1, 3), seen.reshape(-1, 1, 2), np.eye(3), None, flags=cv2.SOLVEPNP_SQPNP
     )
@@ -300,7 +300,7 @@ def posed(points: Array, seen: Array) -> tuple[Array, Array, float] | None:
 def rigid(p_out: Array, p_in: Array) -> tuple[Array, float]:
     """Kabsch: R (3, 3) that turns p_in (n, 3) m into p_out (n, 3) m, both about their means.
 
-    Beside it the misfit, m RMS.
+    Also returns the misfit, m RMS.
     """
     return _rigid(np.ascontiguousarray(p_out), np.ascontiguousarray(p_in))
 
@@ -329,7 +329,7 @@ def _rigid(p_out: Matrix, p_in: Matrix) -> tuple[Matrix, float]:
 def _in_both(
     markers: IntVector, left: IntVector, right: IntVector
 ) -> tuple[IntVector, IntVector, IntVector]:
-    """Those of ``markers`` that both cameras show, and their rows left and right (M,), -1: none."""
+    """Those of ``markers`` that both images show, and their rows left and right (M,), -1: none."""
     seen = markers[(left[markers] >= 0) & (right[markers] >= 0)]
     return seen, left[seen], right[seen]
 
@@ -339,7 +339,7 @@ def _placed(
     left: Matrix, right: Matrix, camera: StereoIntrinsics, R_GC: Matrix, nominal: Matrix
 ) -> tuple[Matrix, Matrix, float]:
     """p_G (n, 3) m but for the camera's position, R_GB (3, 3) and misfit (m) of points whose
-    rectified pixels left and right (n, 2) are; nominal (n, 3) m in B. Infinite where one is behind
+    rectified pixels are left and right (n, 2); nominal (n, 3) m in B. Infinite if one is behind
     the camera.
     """
     fx, fy, cx, cy, baseline = camera
@@ -354,7 +354,7 @@ def _placed(
 
 @kernel(nogil=False)
 def _rotated(R: Matrix, rate_0: Vector, rate_1: Vector, dt: float) -> Matrix:
-    """R (3, 3) after ``dt`` with a rate (3,) rad/s that goes from one to the other."""
+    """R (3, 3) after ``dt`` with a rate (3,) rad/s that changes linearly from one to the other."""
     return mul3(R, exp3((rate_0 + rate_1) / 2 * dt))
 
 
@@ -383,11 +383,11 @@ def _point(
                 n += 1
     if n < least:
         return False, np.zeros(3), np.zeros(3)
-    # 2. the rotation that they made
+    # 2. their rotation
     R_made, misfit = _rigid(now.p_G[rows[1, :n]], before.p_G[rows[0, :n]])
     if misfit > most_misfit:
         return False, np.zeros(3), np.zeros(3)
-    # 3. beside the gyroscope's, and weighed by what the markers say of each axis
+    # 3. compared with the gyroscope's, weighted by the markers' information on each axis
     D = tmul3(gyro_0.R, gyro_1.R)
     e = log3(tmul3(D, tmul3(before.R_GB, mul3(R_made, before.R_GB))))
     a = rotate_back(D, gyro_0.rate) - gyro_1.rate
@@ -397,8 +397,8 @@ def _point(
 
 @kernel
 def _information(p_B: Matrix) -> Matrix:
-    """(3, 3) m²: of a rotation of points (n, 3), in B. Points near one line leave the turn about
-    it open."""
+    """(3, 3) m²: information on a rotation of points (n, 3), in B. Points near one line leave the
+    angle about it undetermined."""
     b = p_B.copy()
     for k in range(3):
         b[:, k] -= p_B[:, k].mean()

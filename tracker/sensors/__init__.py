@@ -1,1 +1,1 @@
-"""Devices: the glove's link and clock, cameras, what watches their images."""
+"""Devices: the glove's link and clock, cameras, and checks of their images."""

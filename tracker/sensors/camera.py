@@ -23,28 +23,28 @@ from tracker.vision.rig import StereoRig
 
 @dataclass(frozen=True)
 class CameraParams:
-    """``delay``: s from the middle of an exposure to the image's arrival, if nothing is busy."""
+    """``delay``: s from the middle of an exposure to the image's arrival on an idle computer."""
 
     delay: float = 0.035
-    retry: float = 0.4  # s between attempts to open a camera that is gone
-    slow: float = 0.8  # of the asked frame rate: below, a warning is reported
+    retry: float = 0.4  # s between attempts to reopen a disconnected camera
+    slow: float = 0.8  # share of the requested frame rate below which a warning is reported
     watch: WatchParams = field(default_factory=WatchParams)
 
 
 class UnfitImages(NamedTuple):
-    """Images that the calibration is not for, and the reason."""
+    """Images that do not match the calibration, and the reason."""
 
     pair: Pair
     why: Notice
 
 
 class StereoCamera:
-    """Opens its input when first read, and again whenever it went away.
+    """Opens its input at the first read, and again after each disconnection.
 
-    A dark side is None in the frame, and an image that is the last one again is left out: neither
-    is passed off as a new exposure. Files are paced by their own frame rate. Without a ``rig``
+    A dark side is None in the frame, and a repeated image is left out: neither
+    counts as a new exposure. Files are paced by their own frame rate. Without a ``rig``
     images of any size are taken. A device with one camera gives frames without a right image.
-    Images that the rig is not for are ``unfit``, and no frames.
+    Images that do not match the rig are ``unfit`` and give no frames.
     """
 
     def __init__(
@@ -67,11 +67,11 @@ class StereoCamera:
         self._restart_watch()
         self._index = 0
         self.unfit: UnfitImages | None = None
-        """What came last, where the rig is not for it: to be looked at, and calibrated for."""
+        """The last image, if it does not match the rig: for display and for a new calibration."""
         self.repeated = 0
-        """Images left out because they were the one before again."""
+        """Images left out because they repeat the one before."""
         self.missed = 0
-        """Images that should have come between two that came, at the rate asked for."""
+        """Images missing between two that arrived, at the requested rate."""
 
     def _restart_watch(self) -> None:
         self._watch = (ImageWatch(self._params.watch), ImageWatch(self._params.watch))
@@ -86,7 +86,7 @@ class StereoCamera:
         return (len(self._arrivals) - 1) / max(self._arrivals[-1] - self._arrivals[0], 1e-9)
 
     def read(self, timeout: float) -> StereoFrame | None:
-        """The next exposure; None if none is there. A device may hold it for one exposure more."""
+        """The next exposure; None if there is none. A device may delay it by one exposure."""
         if not self._ready(timeout) or not self._due(timeout):
             return None
         try:
@@ -112,7 +112,7 @@ class StereoCamera:
         return out
 
     def close(self) -> None:
-        """Free the device; reading gives nothing from then on."""
+        """Frees the device; reads return nothing afterwards."""
         self._source.close()
         self._open, self._ended, self.unfit = False, True, None
 
@@ -138,7 +138,7 @@ class StereoCamera:
         return True
 
     def _due(self, timeout: float) -> bool:
-        """Hold a file back to its own frame rate; a device paces itself."""
+        """Delays reads of a file to its frame rate; a device paces itself."""
         if self._source.live or self._source.fps <= 0:
             return True
         now = self._clock()
@@ -160,12 +160,12 @@ class StereoCamera:
     def _refuse(self, why: Notice) -> None:
         self._source.close()
         self._open, self.unfit = False, None
-        self._ended = not self._source.live  # a file is not tried again
+        self._ended = not self._source.live  # a file is not reopened
         self._next_attempt = self._clock() + self._params.retry
         self._report("link", why)
 
     def _misfit(self, pair: Pair) -> Notice | None:
-        """Why the rig is not for these images; None where it is."""
+        """Why the rig does not match these images; None if it does."""
         if self.rig is None:
             return None
         if (pair[1] is None) != self.rig.one_camera:
@@ -207,13 +207,13 @@ class StereoCamera:
         return StereoFrame(t, arrival, left, right, index=self._index - 1)
 
     def _count_missed(self, arrival: float) -> None:
-        """A gap of less than two and a half intervals may be the system's own unrest."""
+        """A gap of less than two and a half intervals may be jitter of the system."""
         if self._arrivals and self._source.live and self._source.fps > 0:
             intervals = (arrival - self._arrivals[-1]) * self._source.fps
             self.missed += round(intervals) - 1 if intervals > 2.5 else 0
 
     def _judge(self, k: int, image: Image | None, t: float) -> Image | None:
-        """The image, or None where it is black, or there is none."""
+        """The image; None if it is black or missing."""
         if image is None:
             return None
         watch = self._watch[k]

@@ -5,7 +5,7 @@ locking it is part of the set-up. Values are in the driver's own units, which no
 
 The limits of controls and the serial numbers come from Linux (Video for Linux API, ioctl
 VIDIOC_QUERYCTRL), since OpenCV does not read them. A file descriptor of its own is used for that;
-images go on meanwhile.
+the image stream continues meanwhile.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from tracker.sensors.zed_registers import GAIN_LIMITS, exposure_limits, is_zed, 
 
 @dataclass(frozen=True)
 class _Property:
-    """How OpenCV calls a control: its value, and the switch of its automatic."""
+    """OpenCV's names of a control: its value, and the switch of its automatic mode."""
 
     value: int
     switch: int | None = None
@@ -47,7 +47,7 @@ PROPERTIES = {
     "white_balance": _Property(cv2.CAP_PROP_WB_TEMPERATURE, cv2.CAP_PROP_AUTO_WB, 0.0, 1.0),
 }
 ABSENT = -1.0
-"""What OpenCV answers for a control that the device does not have."""
+"""OpenCV's value for a control that the device lacks."""
 COARSE, STEP = 1.0, 0.05
 """Steps in which drivers round values: in their own units, and as a share of the value."""
 
@@ -67,12 +67,12 @@ class Control:
 
     @property
     def is_open(self) -> bool:
-        """Whether the camera changes it without being asked."""
+        """Whether the camera adjusts it automatically."""
         return self.available and not self.locked
 
     @property
     def is_unverified(self) -> bool:
-        """Whether it was locked and the camera does not confirm that."""
+        """Whether it was locked but the camera does not confirm the lock."""
         return self.available and self.locked and not self.verified
 
 
@@ -95,8 +95,8 @@ class HasCaptures(ImageInput, Protocol):
 class ControlledInput:
     """An image input whose cameras' controls can be set while another thread reads images.
 
-    What is wanted is applied between two images, in the thread that reads; a camera that was away
-    gets it again.
+    Requests are applied between two images, in the reading thread; a reconnected camera
+    receives them again.
     """
 
     live = True
@@ -146,12 +146,12 @@ class ControlledInput:
         return found if refused is None else [*found, refused]
 
     def fixed(self) -> tuple[FixedSetting, ...]:
-        """Settings that tracking needs, as they were read back when the devices were opened."""
+        """Settings that tracking needs, as read back when the devices were opened."""
         with self._lock:
             return self._fixed
 
     def controls(self) -> tuple[Control, ...]:
-        """As they were after the last change."""
+        """State after the last change."""
         with self._lock:
             return self._controls
 
@@ -161,7 +161,7 @@ class ControlledInput:
             return self._reports
 
     def want(self, locks: Locks) -> None:
-        """Have this from the next image on."""
+        """Applies this from the next image on."""
         with self._lock:
             self._locks, self._changed = locks, True
 
@@ -200,7 +200,7 @@ class ControlledInput:
 
 
 def _set_all(captures: list[cv2.VideoCapture], name: str, value: float | None) -> Control:
-    """The same for both of two cameras; it has a control where both do."""
+    """One setting for two cameras; a control exists if both cameras have it."""
     found = [set_control(c, name, value) for c in captures]
     if not found:
         return Control(name)
@@ -220,7 +220,7 @@ def set_control(capture: Capture, name: str, value: float | None) -> Control:
         if prop.switch is not None:
             capture.set(prop.switch, prop.automatic)
         now = capture.get(prop.value)
-        # a control without an automatic stays where it is by itself
+        # a control without an automatic mode keeps its value
         return Control(name, now != ABSENT, now, False)
     if prop.switch is not None:
         capture.set(prop.switch, prop.manual)
@@ -231,7 +231,7 @@ def set_control(capture: Capture, name: str, value: float | None) -> Control:
 
 
 def _is_confirmed(capture: Capture, prop: _Property, now: float, wanted: float) -> bool:
-    """Whether a device that was locked reads back what was set: the value, to its steps, and
+    """Whether a locked device reads back what was set: the value, to its steps, and
     neither an absent switch nor the automatic one."""
     if abs(now - wanted) > max(COARSE, STEP * abs(wanted)):
         return False
@@ -239,13 +239,13 @@ def _is_confirmed(capture: Capture, prop: _Property, now: float, wanted: float) 
 
 
 def locks_text(locks: Locks) -> str:
-    """``exposure=157 gain=4``; as the settings hold it."""
+    """``exposure=157 gain=4``, as stored in the settings."""
     pairs = ((n, getattr(locks, n)) for n in PROPERTIES)
     return " ".join(f"{n}={v:g}" for n, v in pairs if v is not None)
 
 
 def locks_from(text: str) -> Locks:
-    """What `locks_text` wrote; words that mean nothing are left out."""
+    """Parses the text of `locks_text`; unknown words are ignored."""
     values: dict[str, float] = {}
     for word in text.split():
         name, _, number = word.partition("=")

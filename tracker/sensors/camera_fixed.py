@@ -50,7 +50,7 @@ def fix_settings(path: str, mains_hz: int, io: ControlIo | None = None) -> list[
     wanted: Mapping[str, tuple[int, int | None]] = {
         "power_line": (POWER_LINE, POWER_LINE_VALUES[mains_hz]),
         "autofocus": (AUTOFOCUS, 0),
-        "zoom": (ZOOM, None),  # the least: no zoom
+        "zoom": (ZOOM, None),  # the minimum: no zoom
         "mirror": (MIRROR, 0),
         "flip": (FLIP, 0),
     }
@@ -70,7 +70,7 @@ def fix_settings(path: str, mains_hz: int, io: ControlIo | None = None) -> list[
 
 
 def unverified(camera: str, settings: list[FixedSetting]) -> Notice | None:
-    """A warning that names the settings which a camera did not take; None if it took all."""
+    """A warning that names the settings that a camera did not apply; None if it applied all."""
     refused = [s.name for s in settings if not s.is_verified]
     if not refused:
         return None
@@ -87,7 +87,8 @@ SETTING_NAMES = {
 
 
 def local_mains_hz(local_time: Path = LOCAL_TIME) -> int:
-    """Frequency of the mains by the system's time zone: 50 Hz unless the zone is known to have 60.
+    """Mains frequency derived from the system's time zone: 60 Hz in the listed zones, otherwise 50
+    Hz.
 
     In Japan both exist; 50 Hz is assumed there.
     """

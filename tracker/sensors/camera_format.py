@@ -15,14 +15,14 @@ MJPG, YUYV = "MJPG", "YUYV"
 LEAST_COMPRESSED_PIXELS = 640 * 480
 """From this size on, MJPG is tried first: uncompressed images need more than a USB 2 port has."""
 SLOW_SHARE = 0.8
-"""For a requested or granted rate; below it, a camera is slow."""
+"""Share of a requested or granted rate below which a camera is slow."""
 ENOUGH_FPS = 24.0
 """A camera that grants this rate is fast enough, whatever was requested."""
 
 
 @dataclass(frozen=True)
 class CaptureFormat:
-    """What a device is asked for; 0 and "" leave it to the driver.
+    """The request to a device; 0 and "" leave the choice to the driver.
 
     ``exposure``, ``gain`` and ``white_balance`` are in the driver's own units; a value locks it.
     """
@@ -40,8 +40,8 @@ class CaptureFormat:
 
 @dataclass(frozen=True)
 class CameraReport:
-    """What an open camera grants: its image (px), images a second, pixel format and OpenCV's way
-    to it. ``path`` and ``serial_number`` are empty where the system does not report them."""
+    """What an open camera grants: image size (px), images per second, pixel format and OpenCV's
+    backend. ``path`` and ``serial_number`` are empty where the system does not report them."""
 
     width: int = 0
     height: int = 0
@@ -53,7 +53,7 @@ class CameraReport:
 
 
 class Capture(Protocol):
-    """What is used of `cv2.VideoCapture`."""
+    """The part of `cv2.VideoCapture` that is used."""
 
     def get(self, prop: int) -> float: ...
 
@@ -61,7 +61,7 @@ class Capture(Protocol):
 
 
 def report_of(capture: Capture, path: str = "") -> CameraReport:
-    """What a device granted; nothing is changed."""
+    """Reads what a device granted, without changing it."""
     backend = capture.getBackendName() if isinstance(capture, cv2.VideoCapture) else ""
     return CameraReport(
         width=max(0, int(capture.get(cv2.CAP_PROP_FRAME_WIDTH))),
@@ -83,7 +83,7 @@ def _four_letters(code: int) -> str:
 
 
 def set_format(capture: Capture, want: CaptureFormat) -> None:
-    """The pixel format comes first: it decides which sizes and rates there are."""
+    """Sets the pixel format first: it determines which sizes and rates are available."""
     if want.fourcc:
         capture.set(cv2.CAP_PROP_FOURCC, cv2.VideoWriter.fourcc(*want.fourcc))
     for prop, value in (
@@ -128,7 +128,7 @@ def _with_fourcc(want: CaptureFormat, fourcc: str) -> CaptureFormat:
 
 
 def is_granted(want: CaptureFormat, granted: CameraReport) -> bool:
-    """Whether size and rate are those of ``want``."""
+    """Whether size and rate match ``want``."""
     return _has_size(want, granted) and granted.fps >= SLOW_SHARE * want.fps
 
 

@@ -24,10 +24,10 @@ class CameraDriver(Protocol):
     """A plug-in's interface; created without arguments for each query."""
 
     def cameras(self) -> Sequence[tuple[str, str]]:
-        """Cameras that are there: an id, the same each time, and a name for people."""
+        """The connected cameras: a persistent id and a display name for each."""
 
     def open(self, camera: str, want: CaptureFormat) -> ImageInput:
-        """The camera of that id, not open yet. ``want`` is for one eye's image."""
+        """The camera with this id, not yet open. ``want`` is for one eye's image."""
 
 
 def plugin_cameras() -> list[CameraName]:
@@ -37,13 +37,13 @@ def plugin_cameras() -> list[CameraName]:
         try:
             found = _made(driver).cameras()
             out += [CameraName(-1, name, f"{plugin}://{camera}") for camera, name in found]
-        except Exception as error:  # noqa: BLE001 - a stranger's code must not end ours
+        except Exception as error:  # noqa: BLE001 - an error in a plug-in must not stop the program
             _log.warning("The camera plug-in %s does not work: %s", plugin, error)
     return out
 
 
 def all_cameras() -> list[CameraName]:
-    """The system's cameras and those of plug-ins; a system that lists none is no reason to stop."""
+    """The system's cameras and those of plug-ins, also if the system's cannot be listed."""
     try:
         known = list_cameras()
     except DeviceError as error:

@@ -1,8 +1,8 @@
-"""Times of images by the driver's time stamps, which do not wait for a busy computer.
+"""Times of images from the driver's time stamps, which the computer's load does not delay.
 
 Video for Linux stamps each buffer on the monotonic clock, a network stream on one of its own. An
 image cannot arrive before it was stamped, so the smallest delay of the last seconds is the one
-without waiting: that delay and the stamp give an arrival without jitter, whatever the clock.
+without queuing: that delay and the stamp give an arrival time without jitter, on any clock.
 """
 
 from __future__ import annotations
@@ -21,17 +21,17 @@ class HasStamps(Protocol):
     """An image input whose driver timestamps its images."""
 
     def stamp(self) -> float:
-        """s, of the image that was read last, on any clock; NaN without one."""
+        """Time stamp (s) of the image that was read last, on any clock; NaN without one."""
 
 
 class SteadyArrivals:
-    """Call `arrival` for each image; `restart` after a device was away."""
+    """Call `arrival` for each image, and `restart` after a disconnection."""
 
     def __init__(self) -> None:
         self.restart()
 
     def restart(self) -> None:
-        """Forget all images."""
+        """Clears the history."""
         self._delays: deque[tuple[float, float]] = deque()  # (arrival, arrival - stamp)
         self._last_stamp = self._last_arrival = math.nan
         self._last = -math.inf
@@ -42,7 +42,7 @@ class SteadyArrivals:
         return len(self._delays) > 1
 
     def arrival(self, arrival: float, stamp: float) -> float:
-        """s: when the image would have arrived at once; ``arrival`` without usable stamps."""
+        """Arrival time (s) without queuing; ``arrival`` if the stamps are not usable."""
         if not self._is_usable(arrival, stamp):
             self._delays.clear()
         self._last_stamp, self._last_arrival = stamp, arrival
@@ -57,6 +57,6 @@ class SteadyArrivals:
         return self._last
 
     def _is_usable(self, arrival: float, stamp: float) -> bool:
-        """Whether the stamp has advanced about as much as the arrival has."""
+        """Whether the stamp has advanced by about as much as the arrival time."""
         step = stamp - self._last_stamp
         return step > 0.0 and abs((arrival - self._last_arrival) - step) < APART

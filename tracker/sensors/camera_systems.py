@@ -1,7 +1,7 @@
-"""What differs between systems when a camera is listed, opened and locked.
+"""Differences between operating systems in listing, opening and locking cameras.
 
-Linux was run; Windows and macOS follow OpenCV's and cv2_enumerate_cameras' own words and are tested
-against fakes of their answers.
+Tested on Linux; Windows and macOS follow the documentation of OpenCV and cv2_enumerate_cameras and
+are tested with fakes.
 """
 
 from __future__ import annotations
@@ -16,14 +16,14 @@ import cv2
 from tracker.base.errors import DeviceError
 from tracker.base.notices import notice
 
-LINUX, WINDOWS, MACOS = "linux", "win32", "darwin"  # as `sys.platform` begins
+LINUX, WINDOWS, MACOS = "linux", "win32", "darwin"  # prefix of `sys.platform`
 
 
 @dataclass(frozen=True)
 class CameraName:
-    """A camera that the system knows: ``index`` for opening, ``name`` for people.
+    """A camera of the system: ``index`` for opening, ``name`` for display.
 
-    An index means something to the ``backend`` that gave it alone.
+    An index is valid only for the ``backend`` that returned it.
     """
 
     index: int
@@ -33,7 +33,7 @@ class CameraName:
 
 
 class Listed(Protocol):
-    """What is used of `cv2_enumerate_cameras.CameraInfo`."""
+    """The part of `cv2_enumerate_cameras.CameraInfo` that is used."""
 
     @property
     def index(self) -> int: ...
@@ -46,7 +46,7 @@ class Listed(Protocol):
 
 
 def backends(system: str = sys.platform) -> tuple[int, ...]:
-    """OpenCV's ways to the system's cameras, the preferred one first.
+    """OpenCV's backends for the system's cameras, the preferred one first.
 
     DirectShow opens at once where Media Foundation may take half a minute (opencv issue 17687).
     """
@@ -94,7 +94,7 @@ def list_cameras(
 
 
 def _enumerate(backend: int) -> Iterable[Listed]:
-    """Asked for late: on macOS the package does not load without AVFoundation's bindings."""
+    """Imported on demand: on macOS the package does not load without AVFoundation's bindings."""
     from cv2_enumerate_cameras import enumerate_cameras
 
     cameras: Iterable[Listed] = enumerate_cameras(backend)

@@ -1,7 +1,7 @@
 """Consistent Overhead Byte Stuffing (Cheshire & Baker 1999, doi:10.1109/90.769765).
 
 It rewrites bytes so that no zero is left, for at most one byte more in 254; a zero then ends a
-frame whatever came before it.
+frame regardless of the preceding bytes.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ MAX_RUN = 254
 
 
 class CobsError(ValueError):
-    """The bytes are no COBS encoding."""
+    """The bytes are not a COBS encoding."""
 
 
 def encode(data: bytes) -> bytes:
@@ -23,7 +23,7 @@ def encode(data: bytes) -> bytes:
             out += b"\xff" + block[:MAX_RUN]
             block = block[MAX_RUN:]
             if last and not block:
-                return bytes(out)  # a full run at the very end stands for no zero
+                return bytes(out)  # a full run at the end encodes no zero
         out.append(len(block) + 1)
         out += block
     return bytes(out)

@@ -1,4 +1,4 @@
-"""Frames out of a stream of bytes that may start anywhere and lose or change any of them."""
+"""Finds frames in a byte stream that may start in the middle of one and may lose or alter bytes."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ MIN_BODY_BYTES = 3  # type and CRC
 
 @dataclass
 class LinkCounters:
-    """What came out of the bytes so far. Every rejected frame is in exactly one of the errors."""
+    """Counts of decoded and rejected frames; each rejected frame is counted under one error."""
 
     frames: int = 0
     bytes: int = 0
@@ -38,10 +38,10 @@ class LinkCounters:
 
 
 class FrameDecoder:
-    """Feed it what a port gave, in pieces of any size; it holds at most one unfinished frame.
+    """Accepts bytes from a port in pieces of any size; stores at most one unfinished frame.
 
-    What stands before the first zero is the tail of a frame that began before the port was opened:
-    it is judged like any other, and counted if it is none.
+    The bytes before the first zero are the tail of a frame that began before the port was opened:
+    they are checked like any other frame, and counted as an error if they are not one.
     """
 
     def __init__(self) -> None:
@@ -102,7 +102,7 @@ class FrameDecoder:
 
 
 class Unwrapper:
-    """An ever-growing count from one that wraps at 2**bits; small steps back stay small."""
+    """Unwraps a counter that wraps at 2**bits; small steps back remain small."""
 
     def __init__(self, bits: int) -> None:
         self._size = 1 << bits
@@ -118,5 +118,5 @@ class Unwrapper:
         return self._last
 
     def reset(self) -> None:
-        """Forget: the next value is taken as it is."""
+        """Resets: the next value is returned unchanged."""
         self._last = None

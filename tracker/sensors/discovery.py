@@ -1,6 +1,6 @@
-"""Which serial ports have a glove behind them, and what slows a port down.
+"""Finds the serial ports with a glove, and settings that slow a port down.
 
-A port that may belong to something else hears nothing but HELLO?, which no common device heeds.
+Ports that may belong to another device receive only HELLO?, which common devices ignore.
 """
 
 from __future__ import annotations
@@ -29,29 +29,29 @@ from tracker.sensors.serial_line import (
 from tracker.sensors.serial_line import serial_ports as serial_ports
 
 READ_BYTES = 4096
-ASK_EVERY = 0.5  # s between two requests, for a chip that is still starting
+ASK_EVERY = 0.5  # s between requests, because the chip may still be starting
 
 
 @dataclass(frozen=True)
 class PortReport:
-    """What was found at a port. ``hello`` is the glove's answer; None where none came."""
+    """The result for one port. ``hello`` is the glove's answer; None if it did not answer."""
 
     path: str
     hello: Hello | None
-    streaming: bool = False  # samples came without HELLO: a glove that another run had started
+    streaming: bool = False  # samples without a HELLO: another run started the glove
     trouble: Notice | None = None
-    baud: int = BAUD  # at which it answered
+    baud: int = BAUD  # baud rate at which it answered
 
     @property
     def is_glove(self) -> bool:
-        """Whether a glove speaks there."""
+        """Whether a glove responds at this port."""
         return self.hello is not None or self.streaming
 
 
 def find_gloves(
     paths: Iterable[str] | None = None, patience: float = 4.0, bauds: Sequence[int] = BAUDS
 ) -> list[PortReport]:
-    """Ask every port in turn, for at most ``patience`` s each (a reset chip needs two)."""
+    """Queries each port in turn, for at most ``patience`` s (a chip needs two after a reset)."""
     found = serial_ports() if paths is None else paths
     return [probe(path, serial_port(path, bauds[0]), patience, bauds=bauds) for path in found]
 
@@ -103,7 +103,7 @@ def _ask(
 def _listen(
     port: Port, decoder: FrameDecoder, clock: Callable[[], float], end: float
 ) -> tuple[Hello | None, bool]:
-    """The HELLO that comes until ``end`` (s), if any, and whether samples came."""
+    """The HELLO received until ``end`` (s), if any, and whether samples were received."""
     streaming = False
     while clock() < end:
         for frame in decoder.feed(port.read(max(1, min(port.in_waiting, READ_BYTES)))):
@@ -125,10 +125,10 @@ def latency_advice(
     system: str = sys.platform,
     ports: Callable[[], Sequence[UsbPort]] = usb_ports,
 ) -> Notice | None:
-    """What to do about an FTDI adapter that holds bytes back; None where there is no need.
+    """The remedy for an FTDI adapter that delays bytes; None if none is needed.
 
-    Linux reports the time that is set. Windows does not, and its driver waits 16 ms by default;
-    for macOS's own driver there is nothing to set.
+    Linux reports the delay that is set. Windows does not, and its driver waits 16 ms by default;
+    macOS's own driver has no such setting.
     """
     if system == "win32":
         made_by = next((p.vid for p in ports() if p.path == port), None)

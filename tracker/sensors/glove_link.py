@@ -1,4 +1,4 @@
-"""The glove on a serial port: handshake, samples, faults, and coming back by itself.
+"""The glove on a serial port: handshake, samples, faults and automatic reconnection.
 
 `GloveLink.poll` does all the work and owns no thread; `GloveLink.vibrate` may be called from any.
 Every fault becomes a counter and, once, an event.
@@ -58,11 +58,11 @@ from tracker.sensors.serial_line import Port as Port
 from tracker.sensors.serial_line import WiredPort, read_waiting, reason, write_now
 from tracker.sensors.serial_line import serial_port as serial_port
 
-LONG_SILENCE = 60.0  # s, after which seq may have wrapped unseen
-ANSWER_WITHIN = 1.0  # s that a HELLO may be under way after it was asked for
+LONG_SILENCE = 60.0  # s, after which seq may have wrapped unnoticed
+ANSWER_WITHIN = 1.0  # s between a request for HELLO and its arrival, at most
 MOMENT = 0.002  # s that a motor command waits for another frame to be written
 LOST_AT_MOST = 200  # packets, while a HELLO is answered
-RATE_WITHIN = 2.0  # s after which a glove that was asked for another rate has taken it
+RATE_WITHIN = 2.0  # s after which a glove has adopted a requested rate
 
 
 class GloveLink:
@@ -78,8 +78,10 @@ class GloveLink:
         self.params = params or LinkParams()
         self._open_port, self._imu_count, self._clock = open_port, imu_count, clock
         self._port: Port | None = None
-        self._writing = threading.Lock()  # two frames must not mix, nor the port go between
-        self._write_error: OSError | None = None  # of any thread, for the one that polls
+        self._writing = (
+            threading.Lock()
+        )  # frames must not mix, and the port must not close within one
+        self._write_error: OSError | None = None  # from any thread, for the polling one
         self._events = Announcements(clock)
         self._next_open = float("-inf")
         self.state = LinkState.UNPLUGGED
@@ -93,15 +95,15 @@ class GloveLink:
         self._at_rest = RangeFromRest()
         self._last_seq: int | None = None  # seq of the last samples since START
         self._before: int | None = None  # the same at a HELLO that may be a late answer
-        self._was_gone = False  # and its return is not yet reported
+        self._was_gone = False  # its return has not been reported yet
         self._packet_clock = self._new_clock()
-        self._wanted_rate = self.params.rate_hz  # set by any thread, sent by the one that polls
-        self._rate_asked = float("-inf")  # when that was sent
+        self._wanted_rate = self.params.rate_hz  # set by any thread, sent by the polling one
+        self._rate_asked = float("-inf")  # time of sending
 
-    # ---- outside
+    # ---- public interface
 
     def poll(self, timeout: float) -> Sequence[ImuSample | Event]:
-        """Samples and events, after waiting at most ``timeout`` s for bytes."""
+        """Returns samples and events after waiting at most ``timeout`` s for bytes."""
         out: list[ImuSample | Event] = []
         if self._port is None:
             self._open(timeout)
@@ -112,7 +114,7 @@ class GloveLink:
             data = read_waiting(self._port, timeout)
             now = self._clock()
             for frame in self.decoder.feed(data):
-                if self._port is not None:  # a stranger's was closed
+                if self._port is not None:  # the port of another glove was closed
                     out += self._take(frame, now)
             counters = self.decoder.counters
             self._events.report(self._faults.errors(now, counters.errors, counters.frames))
@@ -140,15 +142,15 @@ class GloveLink:
         return False
 
     def want_rate(self, rate_hz: int) -> None:
-        """Ask for another rate with the next poll, and after each restart. From any thread.
+        """Requests another rate at the next poll and after each restart. From any thread.
 
-        Raises ValueError for one that the protocol or the line does not have.
+        Raises ValueError for a rate that the protocol or the line does not support.
         """
         replace(self.params, rate_hz=rate_hz)
         self._wanted_rate = rate_hz
 
     def report(self) -> GloveReport:
-        """Returns what is known of the glove and its line, without asking it. From any thread."""
+        """Returns what is known about the glove and its line, without a query. From any thread."""
         hello, place, figures = self.hello, self._open_port, self.figures
         ranges = self._ranges
         return GloveReport(
@@ -174,7 +176,7 @@ class GloveLink:
         )
 
     def close(self) -> None:
-        """Stop the stream and free the port. May be called again."""
+        """Stops the stream and frees the port. May be called repeatedly."""
         self._send(Stop())
         if self._port is not None:
             self._port.close()
@@ -213,7 +215,7 @@ class GloveLink:
         self._send(HelloRequest())
 
     def _new_clock(self) -> PacketClock:
-        """A packet's own time on the wire is known and taken off, where it has one."""
+        """Subtracts the packet's transmission time on the wire, if it has one."""
         baud = self._port.wire_baud if isinstance(self._port, WiredPort) else 0
         packet = encode(Samples(0, 0, np.zeros((self._imu_count, 6), np.int16)))
         wire_time = BITS_PER_BYTE * len(packet) / baud if baud else 0.0
@@ -221,7 +223,7 @@ class GloveLink:
         return PacketClock(1 / self.params.rate_hz, wire_time, reported)
 
     def _ask_rate(self) -> None:
-        """Another rate that is wanted: the packet clock learns it from the packets."""
+        """Sends the requested rate; the packet clock learns it from the packets."""
         rate_hz = self._wanted_rate
         if rate_hz == self.params.rate_hz:
             return
@@ -232,7 +234,7 @@ class GloveLink:
             self._send(Rate(rate_hz))
 
     def _send(self, frame: Frame) -> None:
-        """Where that fails `poll` frees the port, which it may be reading from now."""
+        """If that fails, `poll` frees the port, since it may be reading from it."""
         with self._writing:
             if self._port is None:
                 return
@@ -273,7 +275,7 @@ class GloveLink:
             return
         if self._last_seq is not None and self.state != LinkState.GREETING:
             if now - self._began < ANSWER_WITHIN:
-                self._before = self._last_seq  # the next packet's number tells
+                self._before = self._last_seq  # the next packet's number decides
             else:
                 self._restarted()
         self.hello = hello
@@ -288,7 +290,7 @@ class GloveLink:
         self._begin(now)
 
     def _is_stranger(self, glove_id: int | None, now: float) -> bool:
-        """Another glove than the one that was here before is left alone, the right one sought."""
+        """If another glove is found here, it is not used, and the search continues."""
         place = self._open_port
         if not isinstance(place, GlovePort):
             return False
@@ -317,7 +319,7 @@ class GloveLink:
             self._send(Rate(self.params.rate_hz))
         self._send(Start())
         self.state, self._since = LinkState.STREAMING, now
-        if self._was_gone:  # at a port that is no other than it was
+        if self._was_gone:  # at the same port as before
             self._events.report(notice("glove.sends_again"))
             self._was_gone = False
 
@@ -330,7 +332,9 @@ class GloveLink:
             self._events.report(notice("glove.sends_again"))
             if now - self._since > LONG_SILENCE:
                 self._packet_clock = self._new_clock()
-        if self.state != LinkState.GREETING:  # a glove that was never stopped is still to be asked
+        if (
+            self.state != LinkState.GREETING
+        ):  # a glove that was never stopped has not been queried yet
             self.state, self._since, self._last_seq = LinkState.STREAMING, now, frame.seq
         before, self._before = self._before, None
         if before is not None and not 0 < (frame.seq - before) % 2**SEQ_BITS <= LOST_AT_MOST:
@@ -376,12 +380,12 @@ class GloveLink:
                     self._events.report(self._faults.imu_lost(j, self._clock()))
 
     def _watch(self, now: float) -> None:
-        """What does not come: HELLO, or samples."""
+        """What is missing: HELLO or samples."""
         p, waited = self.params, now - self._since
         if self.state == LinkState.GREETING:
             if waited > p.boot and not self._asked:
                 self._asked = True
-                self._send(Stop())  # one that streams since an earlier run says HELLO again
+                self._send(Stop())  # a glove that an earlier run started repeats its HELLO
                 self._send(HelloRequest())
             if waited > p.boot + p.patience and not self._is_stranger(None, now):
                 missing = why_no_hello(self.decoder.counters, self._before_greeting, p.baud)

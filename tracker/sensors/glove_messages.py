@@ -22,30 +22,31 @@ from tracker.sensors.packet_clock import PacketClock, PacketTime
 from tracker.sensors.protocol import Pulse, Samples
 
 DEGREE = np.pi / 180
-USUAL_GYRO_DPS = 2000  # of a glove that does not report it
+USUAL_GYRO_DPS = 2000  # range of a glove that does not report it
 RANGES_G = (2, 4, 8, 16)  # of the MPU-9250
 SPAN = 0.5  # s of rest
 STEADY = 0.05  # sd of |a| over its mean, at rest: a hand that is held still, not one laid down
 WITHIN = math.log2(1.15)  # octaves; half an octave would be as near to the next range
-AGREEING = 0.75  # share of the IMUs that have to say the same
+AGREEING = 0.75  # share of the IMUs that must agree
 FEWEST = 10  # packets
 
 
 class Ranges(NamedTuple):
-    """What a raw value of 32768 is."""
+    """Values that correspond to a raw value of 32768."""
 
     accel_g: float
     gyro_dps: float
 
 
 class RangeFromRest:
-    """Looks at raw samples until the glove has been still for `SPAN`."""
+    """Evaluates raw samples until the glove has been still for `SPAN`."""
 
     def __init__(self) -> None:
         self._recent: deque[tuple[float, Array]] = deque()
 
     def look(self, raw: Array, t: float) -> int | None:
-        """Take raw accelerations (n, 3) of time ``t`` (s). The range in g, None while not known."""
+        """Adds raw accelerations (n, 3) at time ``t`` (s). Returns the range in g, None until
+        known."""
         self._recent.append((t, np.linalg.norm(raw, axis=1)))
         while t - self._recent[0][0] > SPAN:
             self._recent.popleft()
@@ -56,7 +57,7 @@ class RangeFromRest:
 
 
 def _common_range(mean: Array, sd: Array) -> int | None:
-    """The range in which most IMUs feel 1 g; those that give zeros have no voice."""
+    """The range in which most IMUs measure 1 g; IMUs that report zeros are ignored."""
     answering = mean > 0
     if not answering.any() or np.any(sd[answering] > STEADY * mean[answering]):
         return None
@@ -66,7 +67,7 @@ def _common_range(mean: Array, sd: Array) -> int | None:
 
 
 def _fitting(counts: float) -> int | None:
-    """The range in which ``counts`` is 1 g; None where none fits."""
+    """The range in which ``counts`` is 1 g; None if none matches."""
     for range_g in RANGES_G:
         if abs(math.log2(counts * range_g / 32768)) < WITHIN:
             return range_g
@@ -76,7 +77,7 @@ def _fitting(counts: float) -> int | None:
 def range_at_rest(
     frame: Samples, t: float, at_rest: RangeFromRest, events: Announcements
 ) -> Ranges | None:
-    """Returns the ranges of a glove that does not report them; None until gravity shows them.
+    """Returns the ranges of a glove that does not report them; None until gravity reveals them.
 
     ``t``: s by the glove's clock.
     """

@@ -1,8 +1,8 @@
-"""The glove's port, wherever it is after it was unplugged: by its adapter, by its own number.
+"""Finds the glove's port again after it was unplugged, by its adapter or its own number.
 
-Systems number ports in the order of their coming, so a glove may return as ``ttyUSB1`` or ``COM8``,
-and another glove may stand where it was. An adapter with a serial number is known by that; one
-without (many CH340) by its kind, and the glove behind it by the number in its HELLO.
+Systems number ports in the order of connection, so a glove may return as ``ttyUSB1`` or ``COM8``,
+and another glove may have its old port. An adapter is identified by its serial number; one
+without (many CH340) by its type, and the glove by the number in its HELLO.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from tracker.sensors.serial_line import Port, UsbPort, real_path, serial_port, u
 
 
 class GlovePort:
-    """Opens the port of one glove; `GloveLink` calls it again each time that the glove was gone.
+    """Opens the port of one glove; `GloveLink` calls it again after each disconnection.
 
-    ``path`` is where it was opened last, ``home`` where the glove itself was last; empty for one
-    that is known by its ``glove_id`` alone, which is looked for at all ports.
-    Ports that another program holds are not disturbed.
+    ``path`` is the port opened last, ``home`` the port where the glove was found last; empty for
+    one that is identified only by its ``glove_id``, which is searched at all ports.
+    Ports in use by another program are left alone.
     """
 
     def __init__(
@@ -31,14 +31,14 @@ class GlovePort:
     ) -> None:
         self.path = path
         self.glove_id = glove_id
-        """For the glove that answered first; it is the one that is looked for."""
+        """For the glove that answered first; only this one is searched afterwards."""
         self.home, self._baud, self._ports, self._open_at = path, baud, ports, open_at
         self._adapter: UsbPort | None = None
         self._refused: set[str] = set()
 
     @property
     def adapter(self) -> UsbPort | None:
-        """The USB adapter of the glove; None where the port is on no list."""
+        """The USB adapter of the glove; None if the port is not listed."""
         return self._adapter
 
     @property
@@ -51,7 +51,7 @@ class GlovePort:
         return sum(port[1:] == own[1:] for port in self._ports()) > 1
 
     def __call__(self) -> Port:
-        """The glove's port, open. Raises OSError where there is none."""
+        """Returns the glove's open port. Raises OSError if there is none."""
         trouble: OSError | None = None
         ports = self._ports()
         for path in self._places(ports):
@@ -69,9 +69,9 @@ class GlovePort:
         raise trouble or FileNotFoundError(2, "No such file or directory", self.home)
 
     def is_right(self, glove_id: int | None) -> bool:
-        """Whether the glove that answered at `path` (None: it sent nothing) is the one looked for.
+        """Whether the glove that answered at `path` (None: it sent nothing) is the expected one.
 
-        Where not, its port is asked last from now on.
+        If not, its port is tried last from now on.
         """
         if self.glove_id is None:
             self.glove_id = glove_id
@@ -84,7 +84,7 @@ class GlovePort:
         return False
 
     def _places(self, ports: Sequence[UsbPort]) -> list[str]:
-        """Where it may be, the likeliest first; a port that is on no list is where it was."""
+        """Candidate ports, the most likely first; an unlisted port is assumed to be unchanged."""
         own = self._adapter if self.home else None
         if own is None and self.home:
             return [self.home]

@@ -1,4 +1,4 @@
-"""What is known of a glove that is open, for lists of settings."""
+"""State of a connected glove, for lists of settings."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from tracker.sensors.serial_line import UsbPort
 class GloveReport(NamedTuple):
     """None or empty where the glove or the system has not reported a value.
 
-    ``rate_asked_hz`` was asked for, one of ``rates_hz``; ``rate_hz`` is measured by the glove's own
-    clock. ``imu_ok`` is, for each IMU, whether it responds.
+    ``rate_asked_hz`` is the requested one of ``rates_hz``; ``rate_hz`` is measured by the glove's
+    own clock. ``imu_ok`` is, for each IMU, whether it responds.
     """
 
     port: str

@@ -1,4 +1,4 @@
-"""Where pairs of images come from, through OpenCV: devices, files, folders, the network."""
+"""Sources of image pairs, read with OpenCV: devices, files, folders, the network."""
 
 from __future__ import annotations
 
@@ -24,29 +24,29 @@ Image = NDArray[np.uint8]
 Pair = tuple[Image, Image | None]
 """Left and right; a device with one camera has no right one."""
 LEAST_PAIR = 1.9  # width over height
-AT_ONCE = 0.01  # s: an image that comes sooner has waited
+AT_ONCE = 0.01  # s: an image that is available sooner was queued
 MOST_QUEUED = 20
 
 
 class ImageInput(Protocol):
-    """Gives BGR images (h, w, 3), left and right or one alone, as fast as they come."""
+    """Returns BGR images (h, w, 3), left and right or a single one, without pacing."""
 
     name: str
-    live: bool  # whether images come by themselves, in real time
-    fps: float  # as the device grants or the file says; 0 where unknown
+    live: bool  # whether the source sends images in real time
+    fps: float  # as granted by the device or stated in the file; 0 if unknown
 
     def open(self) -> None:
-        """Raises DeviceError where there is nothing to open."""
+        """Raises DeviceError if the source cannot be opened."""
 
     def read(self) -> Pair | None:
-        """The next pair; None at the end or when the device is gone."""
+        """Returns the next pair; None at the end or after a disconnection."""
 
     def close(self) -> None: ...
 
 
 @runtime_checkable
 class HasShortfalls(Protocol):
-    """An image input that compares what was requested of its devices with what they grant."""
+    """An image input that compares what was requested from its devices with what they grant."""
 
     def shortfalls(self) -> list[Notice]: ...
 
@@ -54,8 +54,8 @@ class HasShortfalls(Protocol):
 class StreamInput:
     """One stream of images: a device, a video file, a URL.
 
-    With ``cameras`` 1 it is a camera alone, which counts as the left one; with 2 each image holds
-    the left one's beside the right one's, as of a ZED Mini; with 0 its shape tells (`is_pair`).
+    With ``cameras`` 1 it is a single camera, which counts as the left one; with 2 each image
+    contains both images side by side, as of a ZED Mini; with 0 the shape decides (`is_pair`).
     """
 
     def __init__(
@@ -91,11 +91,11 @@ class StreamInput:
         return float(self._capture.get(cv2.CAP_PROP_POS_MSEC)) / 1000
 
     def captures(self) -> list[cv2.VideoCapture]:
-        """The open device, for its controls."""
+        """The open device, to access its controls."""
         return [] if self._capture is None else [self._capture]
 
     def shortfalls(self) -> list[Notice]:
-        """What the open device grants less than was requested."""
+        """The shortfall of the open device's grant against the request."""
         return _shortfalls(self.captures(), [self._want], [self._source])
 
     def close(self) -> None:
@@ -116,7 +116,7 @@ class TwoCameraInput:
         right_want: CaptureFormat | None = None,
         clock: Callable[[], float] = monotonic,
     ) -> None:
-        """``right_want`` where the right camera's images shall be others than the left one's."""
+        """``right_want``: if the right camera's images differ in format from the left one's."""
         self.name = f"{left} and {right}"
         self.live = not all(isinstance(s, str) and Path(s).is_file() for s in (left, right))
         left_want = want or CaptureFormat()
@@ -138,9 +138,9 @@ class TwoCameraInput:
                 self._captures, self._wants, self._sources, strict=True
             )
         ]
-        self.fps = min(granted)  # a pair is complete when the slower one has given its image
+        self.fps = min(granted)  # a pair is complete when the slower camera has delivered its image
         if self.live:
-            # what one gave while the other started would wait in its queue for good
+            # images of one camera, taken while the other started, would remain queued
             for k in (0, 1, 0):
                 _drain(self._captures[k], self._clock)
 
@@ -155,7 +155,7 @@ class TwoCameraInput:
         return list(self._captures)
 
     def shortfalls(self) -> list[Notice]:
-        """What the open devices grant less than was requested."""
+        """The shortfall of the open devices' grants against the request."""
         return _shortfalls(self._captures, self._wants, self._sources)
 
     def close(self) -> None:
@@ -167,7 +167,7 @@ class TwoCameraInput:
 def _shortfalls(
     captures: Sequence[Capture], wants: Sequence[CaptureFormat], sources: Sequence[int | str]
 ) -> list[Notice]:
-    """For devices only: files and addresses grant nothing."""
+    """Only for devices; files and addresses have nothing to grant."""
     found = [
         shortfall(want, report_of(capture))
         for capture, want, source in zip(captures, wants, sources, strict=False)
@@ -207,7 +207,7 @@ class SequenceInput:
 
 
 def _drain(capture: cv2.VideoCapture, clock: Callable[[], float]) -> None:
-    """Let go what has waited in a camera's queue, until an image had to be waited for."""
+    """Discards images that are queued in a camera, until the next one is not yet available."""
     for _ in range(MOST_QUEUED):
         asked = clock()
         if not capture.grab() or clock() - asked > AT_ONCE:
@@ -230,7 +230,7 @@ def split(image: Image) -> tuple[Image, Image]:
 
 
 def open_capture(source: int | str, want: CaptureFormat) -> cv2.VideoCapture:
-    """A capture that is open and set. Raises DeviceError where the source cannot be opened."""
+    """Returns an open, configured capture. Raises DeviceError if the source cannot be opened."""
     timeouts = [
         cv2.CAP_PROP_OPEN_TIMEOUT_MSEC,
         want.timeout_ms,
@@ -253,18 +253,18 @@ def open_capture(source: int | str, want: CaptureFormat) -> cv2.VideoCapture:
 
 
 def _is_missing(source: str) -> bool:
-    """For a file or a device; of addresses, and films as numbered images, OpenCV knows.
+    """Checks that a file or device exists; addresses and numbered images are left to OpenCV.
 
-    It is tried again all the time, and each time OpenCV would write a warning to the terminal.
+    Opening is retried continually, and each time OpenCV would write a warning to the terminal.
     """
     return not any(sign in source for sign in ("://", "%", "!")) and not Path(source).exists()
 
 
 def _rate(capture: cv2.VideoCapture, wanted: float, live: bool, source: int | str) -> float:
-    """Images a second that will come; 0 where nothing tells it.
+    """Expected images per second; 0 if unknown.
 
-    A webcam that was asked for 60 may grant 30, and loses none of them. What FFMPEG says of a
-    stream that comes by itself is its guess, of a film the film's own.
+    A webcam may grant 30 instead of a requested 60, and then loses none of them. For a live
+    stream, FFMPEG's figure is a guess; for a film it is the film's own.
     """
     granted = float(capture.get(cv2.CAP_PROP_FPS))
     if live and isinstance(source, str) and not is_device_path(source):
@@ -273,7 +273,7 @@ def _rate(capture: cv2.VideoCapture, wanted: float, live: bool, source: int | st
 
 
 def _apply(capture: Capture, want: CaptureFormat, is_device: bool) -> None:
-    """Format, then locks. A file or an address has no formats to choose from."""
+    """Sets the format, then the locks. A file or an address has no formats to choose from."""
     if is_device:
         negotiate(capture, want)
     else:

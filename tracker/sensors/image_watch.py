@@ -1,4 +1,4 @@
-"""Notices images that show nothing: black, torn, the last one again, or none at all."""
+"""Detects unusable images: black, torn, repeated or missing ones."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from tracker.base.notices import Notice, notice, warning
 
 Image = NDArray[np.uint8]
 STEP = 16
-"""Every 16th row and column is looked at: 3600 pixels of a 720p image."""
+"""Every 16th row and column is evaluated: 3600 pixels of a 720p image."""
 TORN_ROWS = 8
 """Rows at the bottom that a torn image fills with one colour; sensor noise never does."""
 SATURATED = 250
@@ -19,14 +19,15 @@ SATURATED = 250
 
 @dataclass(frozen=True)
 class WatchParams:
-    """When an image counts as black (its brightest looked-at pixel) or the camera as frozen."""
+    """Limits at which an image counts as black (its brightest evaluated pixel) or the camera as
+    frozen."""
 
     black_level: int = 24
-    frozen_after: float = 0.5  # s of one and the same image
+    frozen_after: float = 0.5  # s of identical images
 
 
 class ImageWatch:
-    """Judges the images of one camera. A live sensor's noise makes no two images equal."""
+    """Checks the images of one camera. A live sensor's noise makes all images differ."""
 
     def __init__(self, params: WatchParams | None = None) -> None:
         self._params = params or WatchParams()
@@ -36,10 +37,10 @@ class ImageWatch:
         self.repeated = False
         self.frozen = False
         self.torn = False
-        """The end of the image did not arrive: the decoder has filled it up."""
+        """The end of the image was lost, and the decoder has filled it."""
 
     def look(self, image: Image, t: float) -> None:
-        """Take the image (h, w, 3) that came at ``t`` (s) and update the verdicts."""
+        """Updates the verdicts with the image (h, w, 3) that arrived at ``t`` (s)."""
         sample = image[::STEP, ::STEP].copy()
         self.black = int(sample.max()) < self._params.black_level
         self.repeated = self._last is not None and np.array_equal(sample, self._last)
@@ -50,7 +51,7 @@ class ImageWatch:
 
 
 def _filled(rows: Image) -> bool:
-    """Whether all is one colour that no light too bright for the sensor explains."""
+    """Whether all pixels have one colour that overexposure does not explain."""
     colour = rows[0, 0]
     return int(colour.max()) < SATURATED and bool((rows == colour).all())
 

@@ -1,4 +1,4 @@
-"""What is known of each IMU of a glove: chip, self-test, temperature, saturation, stuck axes."""
+"""State of each IMU of a glove: chip, self-test, temperature, saturation, stuck axes."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ CHIPS = {0x70: "MPU-6500", 0x71: "MPU-9250", 0x73: "MPU-9255"}
 AXES = ("ax", "ay", "az", "gx", "gy", "gz")
 FULL_SCALE = 32767
 STUCK_PACKETS = 200
-"""Identical readings of an axis, while others of the chip change, until it counts as stuck: the
-noise of an MPU-9250 is 2 LSB of its gyroscope and 6 of its accelerometer."""
+"""Number of identical readings, while other axes of the chip change, after which an axis is stuck:
+the noise of an MPU-9250 is 2 LSB of its gyroscope and 6 of its accelerometer."""
 
 
 class ImuReport(NamedTuple):
@@ -32,7 +32,7 @@ class ImuReport(NamedTuple):
     """``passed``, ``not run`` or what failed."""
     temperature_cC: int | None = None
     saturated: int = 0
-    """Samples at the end of a range, since the link was made."""
+    """Saturated samples since the link was opened."""
     stuck: tuple[str, ...] = ()
     """Names of axes that no longer change."""
 
@@ -55,7 +55,7 @@ class ImuWatch:
         self._same: IntArray = np.zeros((n, 6), np.int64)
 
     def add(self, raw: NDArray[np.int16]) -> NDArray[np.bool_]:
-        """Take a packet (n, 6); returns which IMUs (n,) are saturated in it."""
+        """Adds a packet (n, 6); returns which IMUs (n,) are saturated in it."""
         found = saturated(raw)
         self.saturated += found
         self._same = np.where(raw == self._last, self._same + 1, 0)
@@ -63,11 +63,11 @@ class ImuWatch:
         return found
 
     def set_temperatures(self, values_cC: tuple[int | None, ...]) -> None:
-        """Take what the glove reports of its IMUs, 0.01 °C."""
+        """Stores the temperatures that the glove reports, 0.01 °C."""
         self.temperatures_cC, self._fresh = values_cC, True
 
     def take_temperatures(self) -> Array | None:
-        """(n,) °C if they were reported since the last call; NaN of an IMU without one."""
+        """(n,) °C if reported since the last call; NaN for an IMU without a temperature."""
         n = len(self.saturated)
         if not self._fresh or len(self.temperatures_cC) != n:
             return None
@@ -75,7 +75,8 @@ class ImuWatch:
         return np.array([np.nan if v is None else v / 100 for v in self.temperatures_cC])
 
     def stuck(self, imu: int) -> tuple[str, ...]:
-        """Axes of an IMU that are stuck while at least as many change: those of one sensor."""
+        """Axes of an IMU that are stuck while at least as many of them change: those of one
+        sensor."""
         still = self._same[imu] >= STUCK_PACKETS
         if still.sum() > 3:  # the IMU does not respond, or the glove is simulated without noise
             return ()
@@ -87,7 +88,7 @@ class ImuWatch:
         return [(int(j), axes) for j in rows if (axes := self.stuck(int(j)))]
 
     def reports(self, chips: tuple[ImuChip, ...]) -> tuple[ImuReport, ...]:
-        """All IMUs; ``chips`` as the glove's greeting has them, empty if it has none."""
+        """State of all IMUs; ``chips`` from the glove's HELLO, empty if it lists none."""
         return tuple(
             self._report(j, chips[j] if j < len(chips) else None)
             for j in range(len(self.saturated))

@@ -11,23 +11,26 @@ from tracker.sensors.link_figures import Announcements
 from tracker.sensors.protocol import ImuChip
 from tracker.sensors.serial_line import reason
 
-OTHER_RATE = 0.05  # share by which the rate may differ from what was asked for
+OTHER_RATE = 0.05  # share by which the rate may differ from the request
 MOTOR_WITHIN = 0.5
 """s from the start of a motor to a restart that it caused; a board needs up to 0.4 s to greet."""
 LOW_MV = 3300
 """Battery voltage below which a restart is a brown-out: the regulator needs 3.3 V."""
 RESTARTS, RESTARTS_WITHIN = 3, 60.0
-"""As many restarts within that many s are a weak supply, whatever the battery reports."""
+"""(number, s): this many restarts within this time mean a weak supply, whatever the battery
+reports."""
 DAMAGED, DAMAGED_WITHIN = 5, 1.0
-"""As many damaged frames within that many s are a burst; single ones occur on any line."""
+"""(number, s): this many damaged frames within this time are a burst; single ones occur on any
+line."""
 LOOSE, LOOSE_WITHIN = 3, 60.0
-"""As many losses of one IMU within that many s are a loose wire rather than a broken chip."""
+"""(number, s): this many losses of one IMU within this time mean a loose wire, not a broken
+chip."""
 AGAIN = 60.0
 """s until the same cause is reported again."""
 
 
 class LinkFaults:
-    """Takes what happens on a line; times are s of one clock. Each method returns a notice, or
+    """Receives the events of a line; times in s of one clock. Each method returns a notice, or
     None if there is nothing new to report."""
 
     def __init__(self, imu_count: int) -> None:
@@ -82,7 +85,7 @@ class LinkFaults:
 def not_opened(error: Exception) -> Notice:
     """Why a port cannot be opened, as precisely as the system reports it."""
     number, text = getattr(error, "errno", None), str(error)
-    if number in (11, 16, 35) or "busy" in text.lower():  # 11, 35: its lock is taken
+    if number in (11, 16, 35) or "busy" in text.lower():  # 11, 35: the port is locked
         return warning("glove.port_busy")
     if number == 13 or "ermission" in text:
         return warning("glove.port_denied", why=reason(error))
@@ -90,14 +93,14 @@ def not_opened(error: Exception) -> Notice:
 
 
 def why_no_hello(now: LinkCounters, before: LinkCounters, baud: int) -> Notice:
-    """Why a glove did not answer: bytes of which none is a frame are those of another baud rate."""
+    """Why a glove did not answer: bytes without a single frame mean another baud rate."""
     if now.frames == before.frames and now.errors > before.errors:
         return warning("glove.wrong_baud", baud=baud)
     return warning("glove.no_hello")
 
 
 def stranger(place: GlovePort, glove_id: int | None) -> Notice:
-    """Reports the device at ``place`` that is not the glove that is expected there."""
+    """Reports that the device at ``place`` is not the expected glove."""
     if glove_id is None:
         return warning("glove.stranger_unknown", port=place.path, glove_id=place.glove_id)
     return warning("glove.stranger", port=place.path, found=glove_id, glove_id=place.glove_id)
@@ -112,6 +115,6 @@ def unknown_chip(imu: int, chip: ImuChip) -> Notice:
 
 
 def judge_rate(rate_hz: float | None, asked_hz: int, events: Announcements) -> None:
-    """Reports, once, packets that arrive at another rate than was asked for."""
+    """Reports, once, that packets arrive at another rate than requested."""
     if rate_hz is not None and abs(rate_hz / asked_hz - 1) > OTHER_RATE:
         events.once("rate", warning("glove.other_rate", rate_hz=rate_hz, asked_hz=asked_hz))

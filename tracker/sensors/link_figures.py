@@ -10,13 +10,13 @@ from tracker.messages import Event
 from tracker.sensors.decoder import LinkCounters
 from tracker.sensors.imu_watch import ImuWatch
 
-LOW_BATTERY_MV = 3500  # of a lithium cell: some tenth of its charge is left
-RECOVERED_MV = 100  # above it, until a warning may be given again
+LOW_BATTERY_MV = 3500  # V, of a lithium cell with about a tenth of its charge
+RECOVERED_MV = 100  # V above it, before a warning is repeated
 
 
 @dataclass(eq=False)
 class LinkFigures:
-    """Counts since the link was made; None where nothing is known yet."""
+    """Counts since the link was opened; None if not known yet."""
 
     packets: int = 0
     lost: int = 0
@@ -28,17 +28,17 @@ class LinkFigures:
     battery_mV: int | None = None
     temperature_cC: int | None = None
     skew_ppm: float | None = None  # host's time gained on the glove's clock
-    latency_ms: int | None = None  # that the USB adapter holds bytes back
+    latency_ms: int | None = None  # delay added by the USB adapter
     counters: LinkCounters = field(default_factory=LinkCounters)
     imus: ImuWatch = field(default_factory=lambda: ImuWatch(0))
 
     @property
     def reopened(self) -> int:
-        """How often the port was opened again after it had gone."""
+        """Number of times the port was reopened after a disconnection."""
         return max(0, self.opened - 1)
 
     def values(self) -> dict[str, float]:
-        """What is known, under the names that the status has."""
+        """The known figures, under their names in the status."""
         known: dict[str, float | None] = {
             "battery_v": None if self.battery_mV is None else self.battery_mV / 1000,
             "battery_low": None if self.battery_mV is None else float(is_low(self.battery_mV)),
@@ -66,25 +66,25 @@ class Announcements:
         self._clock = clock
         self._events: list[Event] = []
         self.topics: set[str] = set()
-        """What `once` has reported on."""
+        """Topics that `once` has reported."""
 
     def report(self, what: Notice | None) -> None:
-        """Add an event of now; nothing without one."""
+        """Adds an event with the current time; does nothing for None."""
         if what is not None:
             self._events.append(Event.of(self._clock(), "device", what))
 
     def once(self, topic: str, what: Notice) -> None:
-        """Report it unless ``topic`` has been reported on."""
+        """Reports it unless ``topic`` has been reported."""
         if topic not in self.topics:
             self.topics.add(topic)
             self.report(what)
 
     def add(self, event: Event) -> None:
-        """Add an event with a time of its own."""
+        """Adds an event with a given time."""
         self._events.append(event)
 
     def drain(self) -> list[Event]:
-        """All since the last call, oldest first."""
+        """The events since the last call, oldest first."""
         events, self._events = self._events, []
         return events
 
@@ -96,7 +96,7 @@ class LowBattery:
         self._reported = False
 
     def look(self, battery_mV: int | None) -> Notice | None:
-        """Take the battery's voltage; a warning, or None."""
+        """Evaluates the battery's voltage; returns a warning or None."""
         if battery_mV is None:
             return None
         if self._reported and battery_mV > LOW_BATTERY_MV + RECOVERED_MV:

@@ -11,12 +11,12 @@ SLOW_MOST_HZ = 100  # packets a second that 115200 baud carry
 
 
 class LinkState(Enum):
-    """Where the link stands."""
+    """State of the link."""
 
     UNPLUGGED = "unplugged"
     GREETING = "greeting"  # open, waiting for HELLO
     STREAMING = "streaming"
-    SILENT = "silent"  # streaming, but nothing has come for a while
+    SILENT = "silent"  # streaming, but nothing has arrived for a while
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,7 @@ class LinkParams:
 
     rate_hz: int = 100
     boot: float = 2.0  # opening the port may reset the chip
-    patience: float = 2.0  # more without HELLO, then START is sent anyway
+    patience: float = 2.0  # further s without HELLO, after which START is sent anyway
     silent_after: float = 0.5
     reopen_every: float = 0.5
     baud: int = BAUD  # 200 packets a second need `BAUD`
@@ -38,5 +38,5 @@ class LinkParams:
 
 
 def rates_at(baud: int) -> tuple[int, ...]:
-    """Returns the packets a second that a line of ``baud`` carries."""
+    """Returns the packets per second that a line of ``baud`` carries."""
     return RATES_HZ if baud >= BAUD else tuple(r for r in RATES_HZ if r <= SLOW_MOST_HZ)

@@ -24,7 +24,7 @@ class ClockMapParams:
 
     bucket: float = 0.25  # one lowest offset is kept per bucket
     window: float = 40.0
-    settle: float = 5.0  # span below which no skew is believed
+    settle: float = 5.0  # span below which no skew is estimated
     max_skew: float = 300e-6  # crystals are within ±200 ppm
 
 
@@ -45,14 +45,14 @@ class ClockMap:
 
     @property
     def settled(self) -> bool:
-        """Whether the packets span enough time for a skew to be believed."""
+        """Whether the packets span enough time for a valid skew estimate."""
         return self._span() >= self._params.settle
 
     def _span(self) -> float:
         return self._lowest[-1][0] - self._lowest[0][0] if self._lowest else 0.0
 
     def add(self, t_device: float, t_arrival: float) -> None:
-        """A packet stamped ``t_device`` came at ``t_arrival`` (s)."""
+        """Adds a packet stamped ``t_device`` that arrived at ``t_arrival`` (s)."""
         offset = t_arrival - t_device
         bucket = int(t_device // self._params.bucket)
         if bucket != self._bucket:
@@ -66,7 +66,7 @@ class ClockMap:
             self._line = self._fit()
 
     def host(self, t_device: float) -> float:
-        """The host's time of a device time; never goes back from one call to the next."""
+        """The host's time of a device time; never decreases between calls."""
         assert self._line is not None, "add comes before host"
         t_0, offset, skew = self._line
         t = t_device + offset + skew * (t_device - t_0)
@@ -107,13 +107,14 @@ def _turn(a: Point, b: Point, c: Point) -> float:
 
 SEQ_BITS, TIME_BITS = 16, 32
 CLOCK_JUMP, CLOCK_RATE = 0.005, 0.02  # s and share by which t_us may differ from seq
-SHORTEST, LONGEST = 1 / 400, 1 / 20  # s between packets that some rate may have
-LEARN, SURE = 5, 30  # steps alike until the period is theirs, and until it is reported
+SHORTEST, LONGEST = 1 / 400, 1 / 20  # s between packets, limits over all rates
+LEARN, SURE = 5, 30  # equal steps until the period is adopted, and until it is reported
 
 
 @dataclass(frozen=True)
 class PacketTime:
-    """``seq`` and ``t_device`` (s) count on; ``t`` (s) is the sample's instant on the host's clock.
+    """``seq`` and ``t_device`` (s) are unwrapped; ``t`` (s) is the sample's instant on the host's
+    clock.
 
     ``lost`` packets are missing before this one; ``jumped`` s is how far the glove's clock has
     come to differ from its packet numbers, 0 where it agrees.
@@ -139,17 +140,17 @@ class PacketClock:
         self.restart()
 
     def restart(self) -> None:
-        """Forget: the next packet begins a new count, on a clock of which nothing is known."""
+        """Resets: the next packet begins a new count, on an unknown clock."""
         self._seq, self._device = Unwrapper(SEQ_BITS), Unwrapper(TIME_BITS)
         self._last: tuple[int, float] | None = None
         self._map = ClockMap()
         self._period = self._asked
         self._steps: deque[float] = deque(maxlen=SURE)
-        self._doubt: tuple[float, float] | None = None  # an odd step, and what jump it would be
+        self._doubt: tuple[float, float] | None = None  # an irregular step and the possible jump
 
     @property
     def rate_hz(self) -> float | None:
-        """Packets a second by the glove's own clock; None until that is sure."""
+        """Packets per second by the glove's own clock; None until known reliably."""
         return 1 / self._period if len(self._steps) == SURE else None
 
     @property
@@ -158,7 +159,7 @@ class PacketClock:
         return 1e6 * self._map.skew if self._map.settled else None
 
     def read(self, packet: Samples, now: float) -> PacketTime | None:
-        """The time of a packet that came at ``now`` (s); None for one that came before."""
+        """The time of a packet that arrived at ``now`` (s); None for a repeated or late one."""
         seq, t_device = self._seq(packet.seq), self._device(packet.t_us) * 1e-6
         lost, jumped = 0, 0.0
         if self._last is not None:
@@ -183,10 +184,10 @@ class PacketClock:
         return t_device, self._map.host(t_device)
 
     def _jump(self, packets: int, passed: float) -> float:
-        """By how much (s) the glove's clock has left its packet numbers, 0 where it has not.
+        """Time (s) by which the glove's clock deviates from its packet numbers, 0 if it does not.
 
-        One odd step is a jump, two alike are another rate: then the map stays. What may be either
-        is judged by the next packet.
+        A single irregular step is a jump; two equal ones mean another rate, and the map stays. An
+        ambiguous step is decided by the next packet.
         """
         step, doubt, self._doubt = passed / packets, self._doubt, None
         if _agree(packets, passed, self._period):

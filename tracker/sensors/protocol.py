@@ -84,7 +84,7 @@ class GloveStatus:
 
 @dataclass(frozen=True)
 class ErrorText:
-    """The firmware's own words."""
+    """A text from the firmware."""
 
     text: str
 
@@ -128,7 +128,7 @@ class Rate:
 
 @dataclass(frozen=True)
 class Haptic:
-    """Host: let a vibration motor run."""
+    """Host: run a vibration motor."""
 
     channel: int
     amplitude: int
@@ -151,11 +151,11 @@ Frame = (
 
 
 class LengthError(ValueError):
-    """A payload has not the length of its type."""
+    """The payload's length does not match its type."""
 
 
 class UnknownType(ValueError):
-    """No frame has this type."""
+    """The frame type is unknown."""
 
 
 def crc16(data: bytes) -> int:
@@ -229,7 +229,7 @@ def _unpack_status(payload: bytes) -> GloveStatus:
 
 
 def _pack_error(e: ErrorText) -> bytes:
-    # A character cut in two at the limit is left out whole.
+    # A character that the limit would split is left out.
     return e.text.encode()[:_ERROR_BYTES].decode(errors="ignore").encode()
 
 

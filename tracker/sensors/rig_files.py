@@ -1,7 +1,7 @@
 """Stereo calibrations in other programs' files as a stereo rig.
 
 OpenCV (YAML, XML or JSON by `cv2.FileStorage`): either one file contains everything, or
-``intrinsics.yml`` has M1, D1, M2, D2 and ``extrinsics.yml`` beside it R and T, as OpenCV's
+``intrinsics.yml`` has M1, D1, M2, D2 and ``extrinsics.yml`` next to it R and T, as OpenCV's
 stereo_calib sample writes them. T is in the unit of the calibration board's squares, which the file
 does not contain; the caller gives it. A file that has K and D of one camera and nothing else is of
 a single camera, as OpenCV's calibration sample and ROS write it.
@@ -34,7 +34,7 @@ MM = 1e-3
 
 @dataclass(frozen=True)
 class Resolution:
-    """One of the camera's image sizes and how the file calls it."""
+    """One of the camera's image sizes and its name in the file."""
 
     suffix: str
     width: int
@@ -57,7 +57,7 @@ GLOBAL_SHUTTER = ("LEFT_CAM_FHD1200", "LEFT_CAM_SVGA")
 
 
 def zed_line_time(height: int, fps: float) -> float:
-    """s a row of a ZED in a mode; 0 where it is not known."""
+    """Line time (s per row) of a ZED in a mode; 0 if unknown."""
     nearest = min(LINE_TIMES, key=lambda rate: abs(rate - fps))
     return LINE_TIMES[nearest] if height == 720 and abs(nearest - fps) <= 1.0 else 0.0
 
@@ -220,7 +220,7 @@ def _is_fisheye(path: Path) -> bool:
 
 
 def opencv_text(path: Path) -> str:
-    """A file's text with the first line that OpenCV wants and ROS leaves out. Raises FileError."""
+    """A file's text with the first line that OpenCV requires and ROS omits. Raises FileError."""
     text = read_text(path)
     is_ros = path.suffix.lower() in (".yml", ".yaml") and not text.lstrip().startswith("%")
     return f"%YAML:1.0\n---\n{text}" if is_ros else text
@@ -252,8 +252,8 @@ def _first(storage: cv2.FileStorage, names: tuple[str, ...]) -> Array | None:
 
 
 def _matrix(node: cv2.FileNode) -> Array | None:
-    """Its numbers, one by one: `FileNode.mat` believes rows and columns, and writes past its memory
-    where there are more or fewer numbers than they say."""
+    """Reads the numbers one by one: `FileNode.mat` relies on rows and columns, and writes past its
+    memory if the file has more or fewer numbers."""
     if not node.isMap():
         return None
     shape, data = _shape(node), node.getNode("data")
@@ -268,7 +268,7 @@ def _matrix(node: cv2.FileNode) -> Array | None:
 
 
 def _shape(node: cv2.FileNode) -> tuple[int, int] | None:
-    """Rows and columns; OpenCV 5 writes ``sizes``, a single one of a vector."""
+    """Rows and columns; OpenCV 5 writes ``sizes``, with a single value for a vector."""
     sizes = node.getNode("sizes")
     if sizes.isSeq() and sizes.size() in (1, 2):
         counts = [sizes.at(k) for k in range(sizes.size())]

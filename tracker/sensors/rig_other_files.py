@@ -79,7 +79,7 @@ def load_camera_tables(path: Path, unit: float = 1.0, pose: CameraPose | None = 
 
 
 def _kalibr_cameras(text: str) -> dict[str, dict[str, str]]:
-    """The text of each value, by camera and key; lists go on over several lines."""
+    """The text of each value, by camera and key; lists span several lines."""
     cameras: dict[str, dict[str, str]] = {}
     camera: dict[str, str] | None = None
     key = ""

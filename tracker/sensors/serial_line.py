@@ -1,8 +1,8 @@
-"""Serial ports as they are opened: what carries the bytes, and what goes wrong, in words.
+"""Opening serial ports: transport of the bytes, and error messages.
 
 Systems answer differently: Linux names ports after their driver (``ttyUSB``, ``ttyACM``), macOS
 after their class (``cu.usbserial``, ``cu.usbmodem``), Windows not at all (``COM7``), where the USB
-numbers tell.
+numbers identify the device.
 """
 
 from __future__ import annotations
@@ -25,9 +25,10 @@ BRIDGE_MAKERS = frozenset({BRIDGE_FTDI, 0x10C4, 0x1A86, 0x067B})  # and Silabs, 
 BRIDGE_BOARDS = frozenset(
     {(maker, board) for maker in (0x2341, 0x2A03) for board in (0x01, 0x10, 0x42, 0x43, 0x243)}
 )
-"""Arduino Uno and Mega: CDC ACM by name, but their USB chip speaks to the ATmega over a UART."""
+"""Arduino Uno and Mega: CDC ACM by name, but their USB chip is connected to the ATmega by a
+UART."""
 UART_NAMES = ("ttyUSB", "ttyS", "ttyAMA", "cu.usbserial", "cu.SLAB", "cu.wchusb", "COM")
-CDC_NAMES = ("ttyACM", "cu.usbmodem", "tty.usbmodem", "COM")  # a COM port on USB that is no bridge
+CDC_NAMES = ("ttyACM", "cu.usbmodem", "tty.usbmodem", "COM")  # a COM port on USB without a bridge
 GOOD_LATENCY_MS = 2
 MOST_AT_ONCE = 65536  # bytes
 TTY_FILES = Path("/sys/class/tty")
@@ -35,7 +36,7 @@ LATENCY_FILES = Path("/sys/bus/usb-serial/devices")
 
 
 class Port(Protocol):
-    """What is used of `serial.Serial`."""
+    """The part of `serial.Serial` that is used."""
 
     timeout: float | None
 
@@ -51,7 +52,7 @@ class Port(Protocol):
 
 @runtime_checkable
 class WiredPort(Protocol):
-    """A port that knows how its bytes travel: ``wire_baud`` is 0 where no UART is in the way."""
+    """A port with a known transport: ``wire_baud`` is 0 if there is no UART."""
 
     @property
     def wire_baud(self) -> int: ...
@@ -65,7 +66,7 @@ class TunablePort(Protocol):
 
 
 class UsbPort(NamedTuple):
-    """A serial port on USB. ``serial_number`` tells adapters of one kind apart, if there is one."""
+    """A serial port on USB. ``serial_number``, if any, distinguishes adapters of one type."""
 
     path: str
     vid: int
@@ -85,7 +86,7 @@ def serial_ports() -> list[str]:
 
 
 def crosses_uart(path: str, ports: Iterable[UsbPort]) -> bool:
-    """Whether bytes of the port at ``path`` take their time one after the other on a UART.
+    """Whether the bytes of the port at ``path`` are transmitted serially on a UART.
 
     On USB alone (CDC ACM) and on a pseudo-terminal a packet arrives as a whole.
     """
@@ -106,8 +107,8 @@ def read_waiting(port: Port, timeout: float) -> bytes:
 
 
 def write_now(port: Port, data: bytes) -> bool:
-    """As much as the line has room for: commands that are repeated soon must not wait. Whether
-    that was all. Raises OSError."""
+    """Writes as much as the line has room for: frequently repeated commands must not wait. Returns
+    whether all was written. Raises OSError."""
     if isinstance(port, SerialPort):
         return port.write_now(data) == len(data)
     port.write(data)
@@ -124,8 +125,8 @@ def _read_waiting(port: Port, timeout: float) -> bytes:
 
 @contextmanager
 def _as_os_error() -> Iterator[None]:
-    """A port that goes away while it is being set is an OSError like at any other time: pyserial
-    lets ``termios.error`` through then, and makes a ValueError of it at speeds of our own."""
+    """Converts the loss of a port while it is configured to OSError: pyserial
+    passes ``termios.error`` on, and raises ValueError at non-standard speeds."""
     try:
         yield
     except OSError:
@@ -146,18 +147,18 @@ class SerialPort(serial.Serial):
 
     @property
     def wire_baud(self) -> int:
-        """Bits a second on the UART behind the port; 0 where there is none."""
+        """Bits per second on the UART behind the port; 0 if there is none."""
         return int(self.baudrate) if self._on_uart else 0
 
     def _reconfigure_port(self, *force: bool, **named: bool) -> None:
-        """What pyserial does for each change of time-out or speed. Raises OSError alone."""
+        """As pyserial at each change of timeout or speed. Raises only OSError."""
         with _as_os_error():
             super()._reconfigure_port(*force, **named)
 
     def read_waiting(self, timeout: float) -> bytes:
         """What there is, after waiting at most ``timeout`` s for the first byte. Raises OSError.
 
-        Where it can be, with two calls of the system in place of pyserial's five: after each of
+        If possible with two system calls instead of pyserial's five: after each of
         them a thread waits for Python's lock, and a packet with it.
         """
         if not self.is_open:
@@ -168,19 +169,20 @@ class SerialPort(serial.Serial):
             return b""
         try:
             data = os.read(self.fd, MOST_AT_ONCE)
-        except BlockingIOError:  # somebody else was here before
+        except BlockingIOError:  # another program opened it first
             return b""
-        if not data:  # ready, and nothing there: so systems say that the cable is out
+        if not data:  # readable but empty: how systems report a pulled cable
             raise serial.SerialException("the device is no longer there")
         return data
 
     def write(self, data: bytes) -> int:
-        """All of it; with one call of the system where it takes so much at once. Raises OSError."""
+        """Writes everything, with one system call if it accepts that much. Raises OSError."""
         done = 0 if sys.platform == "win32" else self.write_now(data)
         return done if done == len(data) else done + (super().write(data[done:]) or 0)
 
     def write_now(self, data: bytes) -> int:
-        """As much as there is room for, without waiting where the system can; how many bytes.
+        """Writes as much as there is room for, without waiting if the system allows it. Returns the
+        bytes.
 
         Raises OSError.
         """
@@ -199,7 +201,7 @@ class SerialPort(serial.Serial):
 
     @property
     def latency_ms(self) -> int | None:
-        """How long an FTDI adapter holds bytes back; None where the system does not say."""
+        """Delay that an FTDI adapter adds; None if the system does not report it."""
         return latency_of(self._path)
 
 
@@ -221,12 +223,13 @@ def serial_port(path: str, baud: int = BAUD) -> Callable[[], Port]:
 
 
 def real_path(path: str) -> str:
-    """Where a link such as ``/dev/serial/by-id/…`` leads to; a name that is no file stays."""
+    """The target of a link such as ``/dev/serial/by-id/…``; a name that is not a file is
+    unchanged."""
     return str(Path(path).resolve()) if Path(path).exists() else path
 
 
 def latency_of(path: str, root: Path = LATENCY_FILES) -> int | None:
-    """ms that an FTDI adapter holds bytes back, on Linux; None for others and elsewhere."""
+    """Delay (ms) that an FTDI adapter adds, on Linux; None for other adapters and systems."""
     try:
         return int((root / Path(path).resolve().name / "latency_timer").read_text())
     except (OSError, ValueError):
@@ -234,19 +237,19 @@ def latency_of(path: str, root: Path = LATENCY_FILES) -> int | None:
 
 
 def reason(error: Exception, system: str = sys.platform) -> str:
-    """An operating system's complaint in words, with what to do about it on ``system``."""
+    """The message for an operating-system error, with the remedy on ``system``."""
     number, text = getattr(error, "errno", None), str(error)
     if number == 13 or "ermission" in text or "Access is denied" in text:
         return _refused(system)
     if number == 2 or "No such file" in text or "FileNotFoundError" in text:
         return "it is not there"
-    if number in (11, 16, 35) or "busy" in text.lower():  # 11, 35: its lock is taken
+    if number in (11, 16, 35) or "busy" in text.lower():  # 11, 35: the port is locked
         return "another program has it open"
     return getattr(error, "strerror", None) or text
 
 
 def _refused(system: str) -> str:
-    if system == "win32":  # Windows gives a port to one program and denies it to others
+    if system == "win32":  # Windows allows one program to open a port and refuses others
         return "access is denied: another program has it open"
     if system == "darwin":
         return "permission denied: another program has it open, or macOS has not allowed its driver"

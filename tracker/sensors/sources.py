@@ -1,4 +1,4 @@
-"""What the live tracker asks of a glove and of a camera, real, recorded or simulated."""
+"""Interfaces of gloves and cameras, real, recorded or simulated, for the live tracker."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ class GloveSource(Protocol):
     """A glove, real or simulated."""
 
     def poll(self, timeout: float) -> Sequence[ImuSample | Event]:
-        """What came, after waiting at most ``timeout`` s for anything."""
+        """Returns what arrived, after waiting at most ``timeout`` s for anything."""
 
     def close(self) -> None:
         """Free the port."""
@@ -22,7 +22,7 @@ class GloveSource(Protocol):
 
 @runtime_checkable
 class ReportingGlove(Protocol):
-    """A glove that tells how it is."""
+    """A glove that reports its state."""
 
     figures: LinkFigures
 
@@ -31,17 +31,17 @@ class CameraSource(Protocol):
     """A stereo camera, real or simulated."""
 
     def read(self, timeout: float) -> StereoFrame | None:
-        """The next image pair; None if none came within ``timeout`` s."""
+        """Returns the next image pair; None if none arrived within ``timeout`` s."""
 
     def drain_events(self) -> Sequence[Event]:
-        """What happened to the device since the last call."""
+        """Returns the device's events since the last call."""
 
     def close(self) -> None:
         """Free the device."""
 
 
 class NoGlove:
-    """Stands for a glove where there is none: gives nothing, and waits as a silent one does."""
+    """Replaces a missing glove: delivers nothing, and waits like a glove that does not respond."""
 
     def __init__(self) -> None:
         self._closed = threading.Event()
@@ -55,7 +55,7 @@ class NoGlove:
 
 
 class NoCamera:
-    """Stands for a camera where there is none: gives nothing, and waits as a dark one does."""
+    """Replaces a missing camera: delivers nothing, and waits like a camera without images."""
 
     def __init__(self) -> None:
         self._closed = threading.Event()

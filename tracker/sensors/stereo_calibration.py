@@ -1,4 +1,4 @@
-"""A rig out of two cameras and the rigid motion between them, or out of one camera."""
+"""Makes a rig from two cameras and the rigid motion between them, or from one camera."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def rectified_rig(
 ) -> StereoRig:
     """The rig of X_right = R X_left + T, with R (3, 3) and T (3,) m.
 
-    ``pose`` is that of the rectified left camera; the evaluation's stand where it is not given.
+    ``pose`` is that of the rectified left camera; default: that of the evaluation's tripod.
     """
     size = (left.width, left.height)
     cameras = (left.K, left.D, _as_large(right, left), right.D, size)
@@ -55,7 +55,7 @@ def rectified_rig(
 
 def _as_large(camera: Intrinsics, other: Intrinsics) -> Array:
     """K (3, 3) of the camera as if its images were scaled and cropped to the other's size: OpenCV
-    rectifies images of one size, and ours need not be."""
+    rectifies images of one size, and these may differ."""
     scale = other.width / camera.width
     K = camera.K.copy()
     K[:2] *= scale

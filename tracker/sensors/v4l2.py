@@ -1,7 +1,7 @@
-"""What Linux offers for a camera and OpenCV does not: limits, more controls, serial numbers.
+"""Features of cameras on Linux that OpenCV lacks: limits, more controls, serial numbers.
 
-A file descriptor of its own is used, so images go on (Linux kernel, Video for Linux API, ioctls
-VIDIOC_QUERYCTRL, VIDIOC_G_CTRL and VIDIOC_S_CTRL).
+A separate file descriptor is used, so the stream continues (Linux kernel, Video for Linux API,
+ioctls VIDIOC_QUERYCTRL, VIDIOC_G_CTRL and VIDIOC_S_CTRL).
 """
 
 from __future__ import annotations

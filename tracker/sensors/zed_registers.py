@@ -2,7 +2,7 @@
 
 The sensors (OV4689) and their processor (OV580) are reached by registers through an extension unit
 of the camera (Linux, ioctl UVCIOC_CTRL_QUERY). Facts from Stereolabs' zed-open-capture (MIT); no
-camera was there to try them on, so every value is read back before it counts as set.
+camera was available to test them, so every value is read back before it counts as set.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ QUERY = 0xC0107521  # UVCIOC_CTRL_QUERY of a struct of 16 bytes
 SET_CURRENT, GET_CURRENT, GET_LENGTH = 0x01, 0x81, 0x85
 UNIT, SELECTOR = 4, 2
 LENGTH = 384  # bytes of a command over USB 3; 64 over USB 2
-ANSWER = 17  # offset of what was read
+ANSWER = 17  # offset of the result
 PAUSE = 0.002  # s from a command to its answer
 READ, WRITE = 0x51, 0x50
 SYSTEM_REGISTER, FLASH = 0xA2, 0xA1
@@ -64,7 +64,7 @@ def exposure_limits(fps: float) -> Limits:
 
 
 class ZedRegisters:
-    """Reads and sets registers of the ZED at ``path`` while it is entered, beside its images.
+    """Reads and sets registers of the ZED at ``path`` in a ``with`` block, while it streams.
 
     Everything is None where the camera cannot be opened or does not answer.
     """
@@ -87,7 +87,7 @@ class ZedRegisters:
             self._device = -1
 
     def exposure(self) -> Exposure | None:
-        """What both sensors have; of the left one, and automatic if either is."""
+        """The values of the left sensor; automatic if either sensor is."""
         switches = [self._system(address) for address in AUTOMATIC]
         exposure, gain = self._sensor(0, EXPOSURE), self._sensor(0, GAIN)
         if None in switches or exposure is None or gain is None:
@@ -152,7 +152,7 @@ class ZedRegisters:
         value: int = 0,
         length: int = 1,
     ) -> bytes | None:
-        """Returns what a reading command reads; None where the camera refuses the command."""
+        """Returns the result of a read command; None if the camera refuses it."""
         size = self._query(GET_LENGTH, bytearray(2))
         if size is None:
             return None
@@ -176,7 +176,7 @@ class ZedRegisters:
         block = _QUERY.pack(UNIT, SELECTOR, request, len(data), ctypes.addressof(buffer))
         try:
             self._ioctl(self._device, QUERY, bytearray(block))
-        except OSError:  # no such unit, or the camera is away
+        except OSError:  # no such unit, or the camera is disconnected
             return None
         return data
 
@@ -201,9 +201,9 @@ def _steps_of(register: int) -> int:
 def lock_exposure(
     path: str, exposure: float | None, gain: float | None, ioctl: Ioctl | None = None
 ) -> tuple[Exposure, bool] | None:
-    """Lock what is given and keep the other as it is; give both back to the camera without either.
+    """Locks the given ones and leaves the other unchanged; without either, both become automatic.
 
-    Returns what the camera then has, and whether it confirms what was asked for; None where it does
+    Returns the resulting values, and whether the camera confirms the request; None if it does
     not answer.
     """
     with ZedRegisters(path, ioctl) as zed:

@@ -114,7 +114,7 @@ def _rig_of(cameras: dict[str, Camera], pose: CameraPose, count: int) -> StereoR
 def _take_first(source: McapInput, topic: str, start: _Start, pose: str) -> None:
     """Take messages of a topic until one has the camera's ``pose``, a field of `_Start`.
 
-    Each topic is read by itself: a recording that began on an overloaded computer describes its
+    Each topic is read separately: a recording that began on an overloaded computer describes its
     cameras after thousands of transforms of the hand.
     """
     for n, raw in enumerate(ordered(source, frozenset([topic]))):

@@ -16,7 +16,7 @@ BAND_PX = 0.7  # by which a hand moves at most while a band is exposed, if that 
 
 
 class RowBand(NamedTuple):
-    """Rows from ``first`` to before ``end`` of an image, drawn as they are ``delay`` s later."""
+    """Rows from ``first`` to before ``end`` of an image, drawn as of ``delay`` s later."""
 
     first: int
     end: int

@@ -164,7 +164,8 @@ class SimulatedScene:
     def _look_by_rows(
         self, now: Instant, t: float, right: bool
     ) -> tuple[SeenMarkers, list[_Balls]]:
-        """The same of a rolling shutter: everything as it is when its own row is exposed."""
+        """The same with a rolling shutter: everything at the instant at which its row is
+        exposed."""
         rig, camera = self.rig, self.rig.right if right else self.rig.left
         first = self._look(now, t, right)
         rows = np.concatenate([first[0].uv[:, 1], *(b.uv[:, 1] for b in first[1])])

@@ -1,4 +1,4 @@
-"""Live outputs: the estimate to other programs and to the glove's motors, off until asked for.
+"""Live outputs: the estimate for other programs and for the glove's motors; off by default.
 
 One file per protocol. Each is a `publisher.Publisher`; `streams.Streams` runs them in threads of
 their own, so that a slow or dead client never slows tracking. See docs/streaming.md.

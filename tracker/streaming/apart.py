@@ -1,8 +1,8 @@
-"""Outputs in a process of their own, so that encoding never delays tracking.
+"""Runs outputs in a separate process, so that encoding never delays tracking.
 
-All threads of a process share Python's lock. Ten outputs that each encode 100 estimates a second
+All threads of a process share Python's lock. Ten outputs that each encode 100 estimates per second
 would hold it for most of the time. `StreamsProcess` sends each estimate once, to a process that
-encodes and sends what the streams need; `tracker.streaming.apart_child` is what runs there.
+encodes and sends what the streams need; `tracker.streaming.apart_child` runs there.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from tracker.streaming.streams import StreamCounts
 
 START_WAIT = 60.0  # s for the process to import what a stream needs, on a loaded computer
 ANSWER_WAIT = 15.0  # s for a test or the end of a stream
-END_WAIT = 3.0  # s for the process to end by itself
+END_WAIT = 3.0  # s for the process to end without being stopped
 _log = logging.getLogger(__name__)
 
 
@@ -55,17 +55,17 @@ class StreamsProcess:
         return self._process.pid or 0
 
     def open(self, kind: str, options: Any, hands: Sequence[Names]) -> ApartStream:
-        """A stream of this kind. Raises StreamError."""
+        """Opens a stream of this kind. Raises StreamError."""
         key = next(self._keys)
         titles = self.ask("open", key, (kind, options, tuple(hands)), START_WAIT)
         return ApartStream(self, key, titles)
 
     def send(self, hand: int, estimate: Estimate) -> None:
-        """Pass on an estimate; may wait for the process to take it. Raises StreamError."""
+        """Passes on an estimate; may wait until the process accepts it. Raises StreamError."""
         self._send(Sent(hand, estimate))
 
     def ask(self, do: str, key: int, data: Any = None, wait: float = ANSWER_WAIT) -> Any:
-        """The answer to a request. Raises StreamError."""
+        """Sends a request and returns the answer. Raises StreamError."""
         number, future = next(self._numbers), Future[Any]()
         self._waiting[number] = future
         try:
@@ -77,16 +77,16 @@ class StreamsProcess:
             self._waiting.pop(number, None)
 
     def tell(self, do: str, key: int) -> None:
-        """A request without an answer."""
-        with contextlib.suppress(StreamError):  # the counts say that it has ended
+        """Sends a request without an answer."""
+        with contextlib.suppress(StreamError):  # the counts report that it has ended
             self._send(Asked(0, do, key))
 
     def counts(self, key: int) -> tuple[StreamCounts, ...]:
-        """For one stream, of each hand; at most half a second old."""
+        """Counts of one stream for each hand; at most half a second old."""
         return self._counts.get(key, ())
 
     def listen(self, key: int, report: Callable[[Notice], None]) -> None:
-        """Call ``report`` in another thread with what the stream reports."""
+        """Calls ``report`` in another thread with the stream's notices."""
         self._reports[key] = report
 
     def forget(self, key: int) -> None:
@@ -94,9 +94,9 @@ class StreamsProcess:
         self._counts.pop(key, None)
 
     def close(self) -> None:
-        """End the process; all its streams are closed."""
+        """Ends the process and closes all its streams."""
         if not self.ended:
-            with contextlib.suppress(StreamError):  # it has ended by itself
+            with contextlib.suppress(StreamError):  # it has already ended
                 self._send(None)
         self._process.join(END_WAIT)
         if self._process.is_alive():
@@ -145,12 +145,12 @@ class ApartStream:
         self._process, self._key, self.titles = process, key, tuple(titles)
 
     def start(self, report: Callable[[Notice], None]) -> None:
-        """Send every estimate that is fed from now on; ``report`` is called in another thread."""
+        """Sends every estimate that is fed from now on; ``report`` is called in another thread."""
         self._process.listen(self._key, report)
         self._process.tell("start", self._key)
 
     def counts(self) -> tuple[StreamCounts, ...]:
-        """For each hand."""
+        """Counts of each hand."""
         found = self._process.counts(self._key)
         if self._process.ended:
             ended = str(_has_ended())

@@ -1,4 +1,4 @@
-"""What runs in the process of the outputs, see `tracker.streaming.apart`."""
+"""The code of the outputs' process, see `tracker.streaming.apart`."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from tracker.streaming.streams import Streams, delivery
 
 COUNT_EVERY = 0.5  # s
 NICE = 5
-CLOSE_WAIT = 10.0  # s for what waits in a queue, on a loaded computer; then its port is free
+CLOSE_WAIT = 10.0  # s to send what is queued, on a loaded computer; then the port is free
 
 
 def serve(pipe: Connection) -> None:
     """Runs until the other end requests the end or disconnects."""
-    if hasattr(os, "nice"):  # where processors are short, tracking goes before its streams
+    if hasattr(os, "nice"):  # on a loaded computer, tracking has priority over its streams
         os.nice(NICE)
     desk = _Desk(pipe)
     try:
@@ -57,8 +57,8 @@ class _Open:
 
 
 class _Desk:
-    """Requests are carried out in threads of their own: opening and testing take their time. What
-    is to start has the next estimate."""
+    """Requests are carried out in separate threads, since opening and testing take time. A stream
+    that starts receives the next estimate."""
 
     def __init__(self, pipe: Connection) -> None:
         self._pipe, self._sending = pipe, threading.Lock()

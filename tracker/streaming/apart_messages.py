@@ -1,4 +1,4 @@
-"""What passes between the window and the process of the outputs."""
+"""Messages between the window and the outputs' process."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Sent:
 
 @dataclass(frozen=True)
 class Asked:
-    """A request ``number`` about the stream ``key``, and what it needs."""
+    """A request ``number`` about the stream ``key``, with its arguments."""
 
     number: int
     do: str
@@ -46,7 +46,7 @@ class Counted:
 
 @dataclass(frozen=True)
 class Reported:
-    """What a stream reports, such as that it fails."""
+    """A notice of a stream, such as a failure."""
 
     key: int
     what: Notice

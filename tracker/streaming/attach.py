@@ -1,4 +1,4 @@
-"""Outputs on a running tracker: they subscribe to its estimates, and a player is polled.
+"""Attaches outputs to a running tracker: they subscribe to its estimates; a player is polled.
 
 attached = attach(tracker, [UdpPublisher(Names.of(hand, glove))])
 ...
@@ -16,23 +16,23 @@ from tracker.messages import Estimate
 from tracker.streaming.publisher import Publisher
 from tracker.streaming.streams import StreamCounts, Streams
 
-MAX_RATE_HZ = 100.0  # of the glove; nothing is newer
-JITTER = 1e-3  # s that the stamps of packets are uneven
+MAX_RATE_HZ = 100.0  # rate of the glove: there are no newer estimates
+JITTER = 1e-3  # s of unevenness of packets' stamps
 
 
 class HasEstimate(Protocol):
-    """What can be polled: a player of a session, for one."""
+    """Something that can be polled, such as a player of a session."""
 
     def latest_estimate(self) -> Estimate | None: ...
 
 
 @runtime_checkable
 class PublishesEstimates(Protocol):
-    """What `tracker.live.runner.HandOfTracker` offers: no estimate is missed."""
+    """The interface of `tracker.live.runner.HandOfTracker`: no estimate is missed."""
 
     def subscribe(self, subscriber: Callable[[Estimate], None]) -> Callable[[], None]:
-        """Call ``subscriber``, which must not wait, with each estimate, in order of time; what is
-        returned ends that."""
+        """Calls ``subscriber``, which must not wait, with each estimate, in order of time; the
+        returned function ends the subscription."""
 
 
 class Attachment:
@@ -43,7 +43,7 @@ class Attachment:
         self._streams, self._stop = streams, stop
 
     def counts(self) -> tuple[StreamCounts, ...]:
-        """Per output what was sent, dropped and failed."""
+        """Numbers of sent, dropped and failed messages of each output."""
         return self._streams.counts()
 
     def close(self) -> None:
@@ -53,7 +53,7 @@ class Attachment:
 
 
 class _Poll:
-    """Offers the latest estimate whenever there is another one, at most once a ``period`` (s)."""
+    """Offers the latest estimate when it is new, at most once per ``period`` (s)."""
 
     def __init__(
         self, tracker: HasEstimate, offer: Callable[[Estimate], None], period: float
@@ -78,7 +78,7 @@ class _Poll:
 
 
 class _Thinned:
-    """Passes on estimates of instants at least a ``period`` (s) apart, on average."""
+    """Passes on estimates whose times are at least one ``period`` (s) apart, on average."""
 
     def __init__(self, offer: Callable[[Estimate], None], period: float) -> None:
         self._offer, self._period = offer, period
@@ -97,9 +97,9 @@ def attach(
     rate_hz: float = MAX_RATE_HZ,
     report: Callable[[Notice], None] = lambda _: None,
 ) -> Attachment:
-    """Send the tracker's estimates to ``publishers``, at most ``rate_hz`` times a second.
+    """Sends the tracker's estimates to ``publishers``, at most ``rate_hz`` times per second.
 
-    At `MAX_RATE_HZ` a tracker that publishes its estimates has all of them sent. ``report``
+    At `MAX_RATE_HZ` all estimates of a tracker that publishes them are sent. ``report``
     receives a notice when an output fails or recovers. Outputs wait while a tracker with a
     ``right_of_way`` processes a message.
     """

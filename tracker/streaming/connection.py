@@ -1,4 +1,4 @@
-"""What every connection to other programs has: a descriptor, options, and the error it raises.
+"""Common parts of connections to other programs: descriptor, options, and the error they raise.
 
 Streams and remote control are switched on by name and share one form of settings, a flat table as
 in the window's settings and in a TOML file: ``{"udp": true, "udp_port": 9000}``.
@@ -39,10 +39,10 @@ def option(default: V, help: str, choices: Sequence[V] = ()) -> V:
 
 @dataclass(frozen=True, kw_only=True)
 class ConnectionKind(Generic[Opt]):
-    """Descriptor of something that is switched on by name.
+    """Descriptor of a connection that is switched on by name.
 
     ``options`` is a frozen dataclass with a default for each field. A field ``host`` is the address
-    that all connections of a registry share; a field ``port`` or ``file`` is what follows the name
+    that all connections of a registry share; a field ``port`` or ``file`` follows the name
     and a colon on the command line, and is edited in the window. ``extra`` is what pip installs if
     a package is missing. ``order`` sorts lists; the core's have 10 to 19.
     """
@@ -65,7 +65,7 @@ class ConnectionKind(Generic[Opt]):
 
     @contextmanager
     def opening(self, what: str) -> Iterator[None]:
-        """Raises StreamError with what to install if a package cannot be imported."""
+        """Raises StreamError with the package to install if one cannot be imported."""
         try:
             yield
         except ImportError as error:
@@ -79,7 +79,7 @@ K = TypeVar("K", bound=ConnectionKind[Any])
 
 
 def kinds_of(registry: Registry[K]) -> dict[str, K]:
-    """All that can be loaded, by name, in the order in which lists show them."""
+    """All connections that can be loaded, by name, in the order of lists."""
     return dict(sorted(registry.all().items(), key=lambda item: item[1].order))
 
 
@@ -102,11 +102,12 @@ class ConnectionSettings:
         return self._text(HOST, LOOPBACK)
 
     def changed(self: S, **changes: object) -> S:
-        """With other values of the table."""
+        """A copy with other values in the table."""
         return type(self)({**self.table, **changes})
 
     def options(self, kind: ConnectionKind[Opt]) -> Opt:
-        """Options of one connection; what is absent or of a wrong type has its default."""
+        """Options of one connection; absent values and those of a wrong type have their
+        defaults."""
         keys = {name: key_of(kind.name, name) for name in kind.fields}
         given = {name: self.table[key] for name, key in keys.items() if key in self.table}
         return from_dict(kind.options, given, lambda key, why: _log.info("%s %s", key, why))
@@ -167,7 +168,7 @@ def _queried(kind: ConnectionKind[Any], noun: str, query: str) -> dict[str, obje
 
 
 def _read(text: str, usual: object) -> object:
-    """``text`` in the type of ``usual``; None where that is impossible."""
+    """``text`` converted to the type of ``usual``; None if that is impossible."""
     if isinstance(usual, bool):
         return {"true": True, "1": True, "false": False, "0": False}.get(text.lower())
     try:

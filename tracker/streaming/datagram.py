@@ -14,7 +14,7 @@ class DatagramSocket:
     """Sends datagrams to host:port; ``what`` names the stream in messages.
 
     The name is resolved once, since a name server can take seconds. The socket stays unconnected,
-    so that the absence of a listener ("port unreachable") does not come back as an error.
+    so that a missing listener ("port unreachable") does not raise an error.
     """
 
     def __init__(self, what: str, host: str, port: int) -> None:
@@ -32,7 +32,7 @@ class DatagramSocket:
         self._last = b""
 
     def send(self, data: bytes) -> None:
-        """One datagram. Raises OSError where the system has no room for it or no way to it."""
+        """Sends one datagram. Raises OSError if the system has no buffer for it or no route."""
         self._last = data
         self._socket.sendto(data, self._address)
 
@@ -46,7 +46,7 @@ class DatagramSocket:
         with socket.socket(self._socket.family, socket.SOCK_DGRAM) as probe:
             probe.settimeout(PROBE_WAIT)
             try:
-                probe.connect(self._address)  # only then the system reports what comes back
+                probe.connect(self._address)  # only then does the system report an ICMP error
                 probe.send(data)
                 probe.recv(1)
             except TimeoutError:

@@ -1,4 +1,4 @@
-"""Touching what is not there: a fingertip that enters a sphere lets its motor run."""
+"""Virtual touch: a fingertip that enters a sphere starts its motor."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ class Sphere:
 
 @dataclass(frozen=True)
 class HapticParams:
-    """How contact is felt. ``motors``: channel of the glove per fingertip keypoint."""
+    """Parameters of the vibration. ``motors``: channel of the glove for each fingertip keypoint."""
 
     amplitude: int = 200
     duration_ms: int = 80
-    leave: float = 0.005  # m beyond the surface at which contact ends: a tremor buzzes once
+    leave: float = 0.005  # m beyond the surface at which contact ends (hysteresis against tremor)
     motors: Mapping[str, int] = field(
         default_factory=lambda: {f"{finger}_tip": i for i, finger in enumerate(CHAINS)}
     )
@@ -43,7 +43,7 @@ class HapticParams:
 
 
 class ContactRule:
-    """Remembers which fingertip is in which sphere and names those that have just entered."""
+    """Tracks which fingertip is in which sphere and reports those that have just entered."""
 
     def __init__(self, spheres: Sequence[Sphere], leave: float) -> None:
         self._centers = np.array([s.center_G for s in spheres], float).reshape(-1, 3)
@@ -66,7 +66,7 @@ class ContactRule:
 
 
 class HapticPublisher:
-    """Buzzes the motor of every fingertip that enters a sphere."""
+    """Runs the motor of every fingertip that enters a sphere."""
 
     name = "vibration motors"
 
@@ -92,4 +92,4 @@ class HapticPublisher:
                 self._vibrate(channel, self._params.amplitude, self._params.duration_ms)
 
     def close(self) -> None:
-        """Motors stop by themselves when their time is over."""
+        """Does nothing: motors stop after their duration."""

@@ -95,13 +95,13 @@ def encoded(message: dict[str, Any]) -> str:
 
 
 def _numbered(estimate: Estimate, names: Names) -> dict[str, Any]:
-    """The number among a stream's estimates of this hand, and the instant on the wall clock."""
+    """The number of the estimate in the stream, and its instant on the wall clock."""
     seq = None if estimate.seq < 0 else estimate.seq
     return {"seq": seq, "t_unix_ns": names.wall_ns(estimate.t)}
 
 
 def _gestures(found: GestureRecogniser) -> dict[str, Any]:
-    """Those that are shown and how surely, and how much of each there is; null where it is lost."""
+    """The shown gestures with their confidence, and the value of each; null where lost."""
     values = {n: _number(v, False) for n, v in found.values.items()}
     sure = {n: round(c, 3) for n, c in found.confidences.items()}
     return {"shown": list(found.active), "values": values, "confidence": sure}
@@ -121,7 +121,7 @@ def _points(estimate: Estimate, names: Names, joints: OpenXrHand | None) -> dict
 def moving_points(
     e: Estimate, names: Names, joints: OpenXrHand | None = None
 ) -> PointMotion | None:
-    """How each keypoint moves in G, or each of OpenXR's ``joints`` in its world, NaN where lost;
+    """Velocities of keypoints in G, or of OpenXR's ``joints`` in its world, NaN where lost;
     None where the engine gives no velocities."""
     m = e.motion
     if m is None:
@@ -135,7 +135,7 @@ def moving_points(
 
 
 def _velocities(estimate: Estimate, names: Names, joints: OpenXrHand | None) -> dict[str, Any]:
-    """For each keypoint or joint; null where it is lost or the engine gives none."""
+    """Velocities of each keypoint or joint; null where lost or not estimated."""
     moving = moving_points(estimate, names, joints)
     listed = names.keypoints if joints is None else JOINTS
     if moving is None:

@@ -1,4 +1,4 @@
-"""The JSON of `payload` read back: what UDP and WebSocket clients get, as an Estimate."""
+"""Parses the JSON of `payload`, which UDP and WebSocket clients receive, to an Estimate."""
 
 from __future__ import annotations
 

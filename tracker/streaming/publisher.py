@@ -1,4 +1,4 @@
-"""What an output is, and the names that its messages carry."""
+"""The interface of an output, and the names in its messages."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from tracker.streaming.connection import LOOPBACK as LOOPBACK
 from tracker.streaming.connection import StreamError as StreamError
 
 OWN, OPENXR = JOINT_SETS = ("own", "openxr")
-"""What a message tells of a hand: its keypoints in G, or OpenXR's 26 joints in OpenXR's world."""
+"""The content of a message: the hand's keypoints in G, or OpenXR's 26 joints in OpenXR's world."""
 
 STATE_WORDS = {
     Validity.LOST: "lost",
@@ -29,26 +29,27 @@ STATE_WORDS = {
 class Publisher(Protocol):
     """One output. ``send`` and ``close`` are called from the output's own thread.
 
-    A server also has ``clients``, how many are connected, and ``missed()``, the messages that slow
-    clients missed by their address ("" for clients that have left). ``probe()``, where there is
-    one, finds out whether a program receives and may take a second: a `Notice`, or None to judge by
-    ``clients``.
+    A server also has ``clients``, the number of connected ones, and ``missed()``, the messages that
+    slow clients missed by their address ("" for clients that have left). ``probe()``, where there
+    is one, finds out whether a program receives and may take a second: a `Notice`, or None to judge
+    by ``clients``.
     """
 
     @property
     def name(self) -> str:
-        """What the user calls it, for messages."""
+        """The user's name for it, for messages."""
 
     def send(self, estimate: Estimate) -> None:
-        """Hand one estimate on. May raise StreamError or OSError; the next one is tried again."""
+        """Sends one estimate. May raise StreamError or OSError; the next one is sent
+        nevertheless."""
 
     def close(self) -> None:
-        """Free what it holds. May be called again."""
+        """Frees its resources. May be called repeatedly."""
 
 
 class OtherHand:
-    """Another hand through an output that is there for one: its estimates go to ``send``, and who
-    owns the output closes it."""
+    """Sends another hand through the output of one hand: its estimates go to ``send``, and the
+    owner of the output closes it."""
 
     def __init__(self, name: str, send: Callable[[Estimate], None]) -> None:
         self.name, self._send = name, send
@@ -57,7 +58,7 @@ class OtherHand:
         self._send(estimate)
 
     def close(self) -> None:
-        """The owner's work."""
+        """Does nothing: the owner closes the output."""
 
 
 @dataclass(frozen=True)
@@ -82,7 +83,7 @@ class Names:
         return bool(self.radii)
 
     def recogniser(self) -> GestureRecogniser | None:
-        """A new one, for one output; None for names without a hand."""
+        """A new recognizer for one output; None for names without a hand."""
         return GestureRecogniser(self.hand, self.keypoints) if self.hand is not None else None
 
     @staticmethod

@@ -1,4 +1,4 @@
-"""The streams that can be switched on: their descriptors, their settings, and how they are opened.
+"""Streams that can be switched on: descriptors, settings and opening.
 
 A package declares a stream as an entry point of the group ``glovetrack.streams`` that names a
 `StreamKind`. On a command line: ``--stream udp,vmc:39541``.
@@ -37,7 +37,7 @@ class StreamKind(ConnectionKind[Opt]):
     """Descriptor of a stream.
 
     ``make(options, hands)`` returns or yields one publisher for each hand, in order. It imports
-    what is slow or optional, and raises StreamError if the stream cannot be opened. ``note`` is a
+    slow or optional packages, and raises StreamError if the stream cannot be opened. ``note`` is a
     warning next to the switch. A stream with an option ``file`` writes to a new file, which the
     window names ``default_file`` and numbers.
     """

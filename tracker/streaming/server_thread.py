@@ -1,4 +1,4 @@
-"""A WebSocket server with an event loop in a thread of its own, for the outputs that need one."""
+"""A WebSocket server with an event loop in its own thread, for the outputs that need one."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ from tracker.streaming.publisher import StreamError
 
 MAX_CLIENTS = 16
 START_WAIT = 5.0  # s
-CLOSE_WAIT = 0.5  # s for a client's answer to our farewell
+CLOSE_WAIT = 0.5  # s for a client's answer to the close frame
 TRY_AGAIN_LATER = 1013  # close code
 LOCAL_PAGE = re.compile(r"https?://(localhost|127\.0\.0\.1|\[::1\])(:\d+)?")
-"""Origins of pages that this machine serves itself."""
+"""Origins of pages that this computer serves."""
 
 _log = logging.getLogger(f"{__name__}.connections")
 _log.setLevel(logging.WARNING)  # the library logs two lines for every connection
@@ -30,10 +30,10 @@ Client = Callable[[ServerConnection], Awaitable[None]]
 
 
 class ServerThread:
-    """Serves ws://host:port/. Port 0 takes any free one; ``port`` is the one in use.
+    """Serves ws://host:port/. Port 0 selects a free one; ``port`` is the one in use.
 
     ``client`` is called in the thread for each connection and ends with it; its ConnectionClosed is
-    expected. Raises StreamError, which calls the server ``kind``, where the port cannot be had.
+    expected. Raises StreamError, which names the server ``kind``, if the port is not available.
     """
 
     def __init__(self, kind: str, client: Client, host: str, port: int, **options: Any) -> None:
@@ -41,7 +41,7 @@ class ServerThread:
         self._client, self._options = client, options
         self._ending = False
         self.connected = 0
-        """How many clients there are."""
+        """Number of connected clients."""
         started: Future[int] = Future()
         self._thread = threading.Thread(
             target=lambda: asyncio.run(self._serve(host, port, started)),
@@ -57,12 +57,12 @@ class ServerThread:
             ) from error
 
     def call(self, function: Callable[..., object], *args: object) -> None:
-        """Have ``function`` called in the thread, soon; not after `close`."""
+        """Schedules ``function`` in the thread; not after `close`."""
         if not self._ending:
             self._loop.call_soon_threadsafe(function, *args)
 
     def close(self) -> None:
-        """Say farewell to all clients and free the port. May be called again."""
+        """Closes all connections and frees the port. May be called repeatedly."""
         self.call(self._ended.set)
         self._ending = True
         self._thread.join()

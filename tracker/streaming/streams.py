@@ -1,8 +1,8 @@
-"""Threads around the outputs: each has a bounded queue, so that none waits for another.
+"""Runs outputs in threads with bounded queues, so that none waits for another.
 
 Messages are composed and sent in the output's own thread. An output that cannot keep up discards
 the oldest estimates, which are counted. The engine's threads only put estimates into the queues.
-Outputs compose their messages one after another, and give way to the engine.
+Outputs compose their messages one after another; the engine has priority.
 """
 
 from __future__ import annotations
@@ -22,30 +22,30 @@ from tracker.streaming.publisher import Publisher
 
 _log = logging.getLogger(__name__)
 
-BACKLOG = 50  # estimates: half a second, after which a live client is better off without them
+BACKLOG = 50  # estimates: half a second; older ones are of no use to a live client
 RATE_WINDOW = 3.0  # s over which rates are counted
 PATIENCE = 0.02  # s that an output waits for its turn
-HANGS = 1.0  # s for which no output waits for one that did not end its turn
-END_WAIT = 1.0  # s that `close` gives an output to finish what it is sending
+HANGS = 1.0  # s for which no output waits for one that exceeded its turn
+END_WAIT = 1.0  # s that `close` allows an output to finish sending
 
 
 @dataclass(frozen=True)
 class StreamCounts:
-    """What became of the estimates offered to one output, of one hand or of all of them."""
+    """Counts of the estimates offered to one output, of one hand or of all hands."""
 
     name: str
     sent: int
     dropped: int  # discarded because the output could not keep up
     failed: int
-    error: str  # of the last failure; empty while the last one went out
-    clients: int | None = None  # connected now; None where the protocol does not know its readers
-    rates_hz: tuple[float, ...] = ()  # sent a second in the last `RATE_WINDOW`, of each hand
+    error: str  # of the last failure; empty if the last message was sent
+    clients: int | None = None  # connected; None if the protocol does not report it
+    rates_hz: tuple[float, ...] = ()  # messages per second in the last `RATE_WINDOW`, for each hand
     missed: Mapping[str, int] = field(default_factory=dict)
-    """Messages that slow clients missed, by address; "" has those of clients that have left."""
+    """Messages that slow clients missed, by address; "" for clients that have left."""
 
     @property
     def left_out(self) -> int:
-        """Messages that at least one reader did not get, summed over readers."""
+        """Messages that readers missed, summed over readers."""
         return self.dropped + self.failed + sum(self.missed.values())
 
 
@@ -64,7 +64,7 @@ def delivery(publisher: Publisher, sent: int) -> Notice:
 
 
 def of_all_hands(counts: Sequence[StreamCounts]) -> StreamCounts:
-    """The counts of one output of several hands, whose clients are the same."""
+    """The counts of one output for several hands with the same clients."""
     first = counts[0]
     return StreamCounts(
         first.name,
@@ -79,7 +79,7 @@ def of_all_hands(counts: Sequence[StreamCounts]) -> StreamCounts:
 
 
 class Streams:
-    """Hands estimates, which it numbers, to all outputs, each in a thread of its own.
+    """Numbers estimates and passes them to all outputs, each in its own thread.
 
     ``report`` receives a notice when an output begins to fail and when it works again. `close`
     closes the publishers.
@@ -96,7 +96,7 @@ class Streams:
         self._offered = 0
 
     def offer(self, estimate: Estimate, number: int | None = None) -> None:
-        """Leave an estimate for every output; never waits. From one thread at a time.
+        """Queues an estimate for every output; never waits. From one thread at a time.
 
         ``number``: its number, if estimates before it may be missing.
         """
@@ -109,7 +109,8 @@ class Streams:
         return tuple(output.counts() for output in self._outputs)
 
     def close(self, wait: float = END_WAIT) -> None:
-        """End all outputs; one that hangs is left behind after ``wait`` s. May be called again."""
+        """Ends all outputs; one that hangs is abandoned after ``wait`` s. May be called
+        repeatedly."""
         for output in self._outputs:
             output.queue.close()
         for output in self._outputs:
@@ -120,7 +121,7 @@ class _Turn:
     """Held by the output that composes a message: all threads share Python's lock, and the engine,
     which needs it several times for a packet, would wait for each output that computes meanwhile.
 
-    An output that hangs is waited for once in `HANGS` s."""
+    The others wait for an output that hangs at most once per `HANGS` s."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -176,7 +177,7 @@ class _Output:
         )
 
     def _rate(self, now: float, sent: int = 0) -> float:
-        """Messages a second, after ``sent`` more."""
+        """Rate (1/s) after ``sent`` more messages."""
         with self._timing:
             self._times.extend([now] * sent)
             while self._times and self._times[0] < now - RATE_WINDOW:
@@ -193,7 +194,7 @@ class _Output:
             self._publisher.close()
 
     def _send_in_turn(self, estimate: Estimate) -> None:
-        """Not beside other outputs, unless one of them hangs, nor beside the engine."""
+        """Runs neither at the same time as other outputs, unless one hangs, nor as the engine."""
         with _TURN.taken():
             self._give()
             self._send(estimate)
@@ -201,7 +202,7 @@ class _Output:
     def _send(self, estimate: Estimate) -> None:
         try:
             self._publisher.send(estimate)
-        except Exception as error:  # noqa: BLE001 - one output's fault must not end the others
+        except Exception as error:  # noqa: BLE001 - one output's error must not end the others
             self._failed += 1
             if not self._error:  # once, until it works again
                 _log.warning("The stream %s failed", self._publisher.name, exc_info=True)
@@ -212,7 +213,7 @@ class _Output:
             self._tell("")
 
     def _tell(self, error: str) -> None:
-        """Say where sending begins or ceases to fail, once each."""
+        """Reports the start and the end of a failure, once each."""
         before, self._error = self._error, error
         if error and not before:
             why = error.rstrip(".")

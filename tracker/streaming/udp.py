@@ -12,7 +12,7 @@ DEFAULT_PORT = 9750
 
 
 class UdpPublisher:
-    """Sends to one address and never waits."""
+    """Sends datagrams to one address without waiting."""
 
     def __init__(
         self,

@@ -4,8 +4,8 @@ A client chooses the schema of its messages by its address: ``ws://127.0.0.1:975
 
 A client that reads slowly misses the oldest of `client_queue.BACKLOG` waiting messages, which are
 counted. Pages of other sites that
-a browser on this machine shows are turned away: a WebSocket is not held back by the same-origin
-rule, so the server has to look at ``Origin`` itself (RFC 6455, 10.2).
+a browser on this computer shows are rejected: a WebSocket is not subject to the same-origin
+policy, so the server must check ``Origin`` itself (RFC 6455, 10.2).
 """
 
 from __future__ import annotations
@@ -26,16 +26,16 @@ from tracker.streaming.payload import LATEST, SCHEMAS, check_schema, encoded, pa
 from tracker.streaming.publisher import LOOPBACK, Names, OtherHand, StreamError
 from tracker.streaming.server_thread import LOCAL_PAGE, ServerThread
 
-MAX_SAID = 1024  # bytes of a client's message; clients have nothing to say
+MAX_SAID = 1024  # bytes of a client's message; clients send none
 
 
 class WebSocketPublisher:
-    """Serves ws://host:port/. Port 0 takes any free one; ``port`` is the one in use."""
+    """Serves ws://host:port/. Port 0 selects a free one; ``port`` is the one in use."""
 
     def __init__(
         self, names: Names, host: str = LOOPBACK, port: int = 0, schema: int = LATEST
     ) -> None:
-        """``schema``: what a client gets that does not ask for another one."""
+        """``schema``: the default for clients that do not choose one."""
         check_schema(schema)
         self._names, self._gestures, self._schema = names, names.recogniser(), schema
         self._clients: tuple[_Client, ...] = ()  # replaced by the server's thread, not changed
@@ -49,18 +49,18 @@ class WebSocketPublisher:
 
     @property
     def clients(self) -> int:
-        """How many are connected."""
+        """Number of connected clients."""
         return self._server.connected
 
     def missed(self) -> dict[str, int]:
-        """Messages that slow clients missed, by their address; under "" those of former clients."""
+        """Messages that slow clients missed, by address; "" for clients that have left."""
         return {"": self._missed} | {c.queue.name: c.queue.dropped for c in self._clients}
 
     def send(self, estimate: Estimate) -> None:
         self._send(self._names, self._gestures, estimate)
 
     def beside(self, names: Names) -> OtherHand:
-        """Another hand for the same clients."""
+        """A publisher of another hand for the same clients."""
         return OtherHand(self.name, partial(self._send, names, names.recogniser()))
 
     def _send(self, names: Names, gestures: GestureRecogniser | None, estimate: Estimate) -> None:
@@ -81,13 +81,14 @@ class WebSocketPublisher:
     # ---- in the server's own thread
 
     def _hand_out(self, texts: dict[int, str]) -> None:
-        """``texts`` by schema; a client that has just come waits for the next ones."""
+        """Queues ``texts``, by schema; a client that has just connected starts with the next
+        ones."""
         for client in self._clients:
             if client.schema in texts:
                 client.queue.put(texts[client.schema])
 
     async def _feed(self, connection: ServerConnection) -> None:
-        """One client, until it leaves; what it sends is ignored."""
+        """Serves one client until it disconnects; its messages are ignored."""
         asked = _asked_schema(connection, self._schema)
         if asked not in SCHEMAS:
             await connection.close(CloseCode.POLICY_VIOLATION, f"schema is one of {SCHEMAS}")
@@ -105,14 +106,14 @@ class WebSocketPublisher:
 
 
 class _Client(NamedTuple):
-    """What one client has yet to receive, and the schema of its messages."""
+    """The pending messages of one client, and their schema."""
 
     queue: ClientQueue
     schema: int
 
 
 def _asked_schema(connection: ServerConnection, usual: int) -> int:
-    """That of the address, ``ws://host:port/?schema=1``; -1 for one that is not a number."""
+    """The schema in the address ``ws://host:port/?schema=1``; -1 if it is not a number."""
     query = parse_qs(urlsplit(connection.request.path if connection.request else "").query)
     word = query.get("schema", [str(usual)])[-1]
     return int(word) if word.isdecimal() else -1

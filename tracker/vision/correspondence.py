@@ -71,7 +71,7 @@ def misfit(left: Matrix, right: Matrix, match: IntMatrix, uv: Stack) -> float:
 def assigned(
     blobs: HuedPixels, markers: ExpectedPixels, gate: float, gate_px: float, dummy_cost: float
 ) -> IntVector:
-    """The optimal assignment among pairs cheaper than leaving both unmatched; (m,) blobs."""
+    """The optimal assignment among pairs of lower cost than leaving both unmatched; (m,) blobs."""
     cost = _gated_costs(blobs, markers, gate, gate_px)
     out = assign(cost, dummy_cost)
     for j in range(len(out)):

@@ -288,7 +288,7 @@ class HandsInFile:
                 self.listeners[read.side].feed(message, read.arrival)
 
     def report(self, event: Event) -> None:
-        """Report an event of now, which is not an event of the file."""
+        """Reports an event with the current time, which is not in the file."""
         self._events.append(event)
 
     def report_damage(self, every: bool = False) -> None:

@@ -19,8 +19,9 @@ from app.storage.system_bin import Binned, restore, to_bin
 from app.viewmodels.recording import duration_text
 from app.viewmodels.recording_report import rename
 from app.widgets.question import question
-from app.words import error_text, tr
+from app.words import error_text
 from tracker.base.errors import FileError, GlovetrackError
+from tracker.base.notices import notice
 
 T = TypeVar("T")
 
@@ -129,9 +130,9 @@ class SessionFiles(QObject):
         """Raises FileError if a session is open or being recorded."""
         setup, request = self._host.setup, self._host.recording.request
         if request is not None and request.path == path:
-            raise FileError(tr("{} is being recorded.").format(path.name))
+            raise FileError(notice("window.being_recorded", file=path.name))
         if setup is not None and setup.player is not None and setup.player.path == path:
-            raise FileError(tr("{} is open. Close it first (Ctrl+W).").format(path.name))
+            raise FileError(notice("window.is_open", file=path.name))
         return path
 
     def _try(self, work: Callable[[], T]) -> T | None:

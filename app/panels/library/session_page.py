@@ -89,7 +89,7 @@ class SessionPage(QWidget):
             ("rename", self.tr("Rename…"), "F2"),
             ("tags", self.tr("Tags…"), "Ctrl+T"),
             ("folder", self.tr("Open folder"), ""),
-            ("bin", self.tr("Move to the bin"), "Del"),
+            ("bin", self.tr("Move to trash"), "Del"),
         ):
             action = self.actions_of[key] = self.menu.addAction(text)
             action.setShortcut(QKeySequence(shortcut))

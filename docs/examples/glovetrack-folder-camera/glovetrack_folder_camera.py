@@ -35,7 +35,7 @@ class FolderDriver:
 class FolderCamera:
     """Files ``*.npy`` of shape (2, height, width, 3), uint8, BGR: left and right."""
 
-    live = False  # a real camera is live: its images come by themselves
+    live = False  # a real camera is live: it sends images in real time
 
     def __init__(self, folder: Path, want: CaptureFormat) -> None:
         self.name, self.fps = f"folder {folder.name}", want.fps or 30.0
@@ -48,7 +48,7 @@ class FolderCamera:
         self._files = iter(files)
 
     def read(self) -> Pair | None:
-        """The next pair; None when the camera is gone."""
+        """Returns the next pair; None after a disconnection."""
         file: Any = next(self._files, None)
         if file is None:
             return None

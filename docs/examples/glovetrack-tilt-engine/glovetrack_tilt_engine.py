@@ -13,7 +13,7 @@ class TiltParams:
     gain: float = 0.5  # 1/s, at which the accelerometer corrects the tilt
 
 
-@gt.record("tilt", shapes={"R_GI": "3 3"})  # a name for good: it is in recordings
+@gt.record("tilt", shapes={"R_GI": "3 3"})  # never rename it: recordings contain it
 @dataclass(eq=False)
 class TiltState:
     R_GI: np.ndarray

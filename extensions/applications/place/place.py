@@ -1,10 +1,11 @@
 """A map with labels to point at, and an object to grasp, rotate, scale and compare with its source.
 
 Lemak et al. 2020, section 1.1: selecting a label on the map opens its object; the object can be
-rotated, and a historical source overlaid on it is faded by hand. Here, a finger that keeps pointing
-at a label selects it; a grasp moves and rotates the object with the hand; a pinch of the middle
-finger, moved up and down, scales it; a pinch of the index finger, moved sideways, fades the source;
-a sustained open palm returns to the map. Each touch causes a short vibration (their Fig. 4).
+rotated, and a historical source overlaid on it is faded manually. Here, a finger that keeps
+pointing at a label selects it; a grasp moves and rotates the object with the hand; a pinch of the
+middle finger, moved up and down, scales it; a pinch of the index finger, moved sideways, fades the
+source; a sustained open palm returns to the map. Each touch causes a short vibration (their Fig.
+4).
 """
 
 from __future__ import annotations

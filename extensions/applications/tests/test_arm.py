@@ -1,4 +1,4 @@
-"""The robot arm: a scripted hand picks up a block, stops the arm, and lets it go on."""
+"""The robot arm: a scripted hand picks up a block, stops the arm, and lets it continue."""
 
 from __future__ import annotations
 

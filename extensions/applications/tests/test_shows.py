@@ -1,4 +1,4 @@
-"""Each application used from beginning to end by a simulated wearer, where it stands by itself."""
+"""Each application, used from beginning to end by a simulated wearer, separately."""
 
 from __future__ import annotations
 

@@ -315,7 +315,7 @@ class ApplicationView(View3D):
 
 
 def look_at(orbit: Orbit, box: tuple[Array, Array] | None, scene: HandScene | None) -> None:
-    """Move the eye until the drawing in its ``box``, if any, and the hand are in sight."""
+    """Move the eye until the drawing in its ``box``, if any, and the hand are visible."""
     corners = [*box] if box is not None else []
     if scene is not None:
         corners += [scene.segment_p.min(axis=0), scene.segment_p.max(axis=0)]

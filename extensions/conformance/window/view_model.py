@@ -78,7 +78,7 @@ RULES = {
     "wrist_rotate": mark("Wrist turned from side to side"),
     "open_hand_close": mark("Hand open, at the end"),
 }
-"""The rules' names in the user's words; others are shown as they are."""
+"""The rules' names in the user's language; others unchanged."""
 LOOKS: dict[str, StateLook] = {PASS: GOOD, FAIL: BAD}
 
 
@@ -182,7 +182,7 @@ class ScriptRun:
         return "open" if self.label in OPENS else self.drawn()
 
     def chips(self) -> list[tuple[str, str]]:
-        """(sign, name) of each step: over, now, still to come."""
+        """(sign, name) of each step: completed, current or pending."""
         out = []
         for k, label in enumerate(self.steps):
             now = self.is_running and k == self.cue.number

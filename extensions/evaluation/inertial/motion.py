@@ -24,7 +24,7 @@ GRASPED = np.deg2rad([90.0, 85.0, 85.0])
 
 @dataclass(frozen=True)
 class Condition:
-    """Where gravity lies and how the metacarpus moves.
+    """The direction of gravity and the motion of the metacarpus.
 
     Its joint 0 sways by ``sway`` m and its angle in the plane by ``turn`` rad, at ``frequency`` Hz.
     """

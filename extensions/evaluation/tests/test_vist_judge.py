@@ -21,7 +21,7 @@ def simulation():
 
 
 def seen_through(simulation, t):
-    """What a perfect tracker says that believes the reported pose."""
+    """The estimate of a perfect tracker that relies on the reported pose."""
     truth = simulation.truth(t)
     true, reported = simulation.scene.pose(t), simulation.scene.reported_pose(t)
     p_C = (truth.keypoints - true.p_GC) @ true.R_GC

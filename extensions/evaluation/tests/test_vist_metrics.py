@@ -1,4 +1,4 @@
-"""Metrics against numbers worked out by hand."""
+"""Metrics compared with manually computed numbers."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Films: what is chosen stands side by side, by the system's ffmpeg where there is one."""
+"""Films: the chosen views side by side, encoded by the system's ffmpeg if there is one."""
 
 import shutil
 import stat

@@ -1,4 +1,5 @@
-"""CSV, BVH, GLB and URDF of a tracked session tell one hand, and nothing where nothing is known."""
+"""CSV, BVH, GLB and URDF of a tracked session give the same hand, and no values where it is
+lost."""
 
 import csv
 import json
@@ -74,7 +75,7 @@ def table(path: Path, **options: object) -> tuple[np.ndarray, dict[str, np.ndarr
 
 
 class Glb:
-    """Positions of nodes by walking the tree, as the format's specification says."""
+    """Positions of nodes by walking the tree, as the format's specification requires."""
 
     def __init__(self, path: Path) -> None:
         self.gltf = GLTF2().load(str(path))

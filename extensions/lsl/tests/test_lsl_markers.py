@@ -1,4 +1,4 @@
-"""Markers of other programs by LSL become requests for notes at the instants that they tell."""
+"""LSL markers of other programs become requests for notes with the markers' times."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ def test_a_stream_that_ends_is_forgotten() -> None:
             threading.Event().wait(0.01)
         assert [r.text for r in taken.requests] == ["5"]
         del short
-        deadline = monotonic() + 30  # LSL goes on telling of it for a while
+        deadline = monotonic() + 30  # LSL still announces it for a while
         while door.counts().clients and monotonic() < deadline:
             threading.Event().wait(0.05)
         assert door.counts().clients == 0

@@ -48,7 +48,7 @@ def test_a_file_is_recognised_with_its_keypoints(tmp_path: Path) -> None:
 
 
 def test_a_template_lists_what_is_found_and_what_is_not(tmp_path: Path) -> None:
-    """It reads back as it is, and with the rest filled in."""
+    """It reads back unchanged, and with the missing points filled in."""
     points = np.random.default_rng(0).normal(size=(20, 4, 3))
     path = write_c3d(tmp_path / "a.c3d", ("IndexTip", "Wrist", "Thumb1", 'cup "A"'), points)
     text = mapping_template(path, NAMES, "right")

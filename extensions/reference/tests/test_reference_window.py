@@ -18,6 +18,7 @@ from extensions.reference.tests.laboratory import FAULTY, write_c3d
 from extensions.reference.window.accuracy_dialog import AccuracyDialog
 from extensions.reference.window.import_dialog import ImportDialog
 from extensions.reference.window.import_form import ImportForm
+from tests.notices import shows
 from tracker.messages import Array
 from tracker.session.reader import SessionReader
 
@@ -70,7 +71,7 @@ def x_L(wearer: Wearer) -> Array:
 
 
 def choose(dialog: ImportDialog, path: Path, qtbot) -> str:
-    """Choose a reference; what the dialog says of it."""
+    """Chooses a reference and returns the dialog's text about it."""
     dialog.form.reference.setText(str(path))
     dialog.form.reference.editingFinished.emit()
     return what_is_read(dialog, qtbot)
@@ -129,9 +130,9 @@ def test_what_is_wrong_is_said_in_words(
     """Files that cannot be read or lack points, and a mirrored one; nothing is imported."""
     garbage = session.with_name("notes.csv")
     garbage.write_text("a,b\n1,2\n")
-    assert "is not a C3D" in choose(dialog, garbage, qtbot)
+    assert shows(choose(dialog, garbage, qtbot), "reference.unknown_format")
     two = write_c3d(session.with_name("two.c3d"), ("wrist", "B"), x_L[:, :2])
-    assert "1 of its points are named" in choose(dialog, two, qtbot)
+    assert shows(choose(dialog, two, qtbot), "reference.few_points", found=1)
     assert not dialog.import_button.isEnabled()
     mirrored = x_L * [1.0, -1.0, 1.0]
     path = write_c3d(session.with_name("m.c3d"), wearer.info.keypoint_names, mirrored)
@@ -151,7 +152,7 @@ def test_a_template_makes_an_unknown_csv_readable(
     header = ["time", *(f"{n} {a}" for n in names for a in "XYZ")]
     table = np.column_stack([t, 1e3 * x_L.reshape(len(t), -1)])
     np.savetxt(path, table, delimiter=";", header=";".join(header), comments="", fmt="%.4f")
-    assert "mapping file" in choose(dialog, path, qtbot)
+    assert shows(choose(dialog, path, qtbot), "reference.unknown_format")
     mapping = session.with_name("lab.toml")
     dialog.write_template(mapping)
     qtbot.waitUntil(lambda: opened == [str(mapping)], timeout=PATIENCE_MS)

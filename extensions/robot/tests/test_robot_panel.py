@@ -20,6 +20,7 @@ from tests.gui.gui_fakes import (
     with_glove,
     with_live,
 )
+from tests.notices import shows
 from tests.session.conftest import ANCHOR, RESOURCES
 from tracker.base.clock import monotonic, seconds
 from tracker.glove import library
@@ -137,7 +138,7 @@ def test_a_file_without_a_hand_is_reported_and_the_robot_is_off(window, qtbot, t
     window.host.adopt(with_live(scripted_setup(ScriptedEngine()), hand=Followed()))
     window.panels["robot"].controls.connect_robot.click()
     qtbot.waitUntil(lambda: bool(errors), timeout=60_000)
-    assert "fingers were not found" in errors[0]
+    assert shows(errors[0], "robot.no_fingers")
     assert not window.panels["robot"].link.on
     assert not window.panels["robot"].controls.connect_robot.isChecked()
 
@@ -160,7 +161,7 @@ def test_without_mujoco_the_panel_names_the_package_to_install(window, monkeypat
     window.host.error.connect(errors.append)
     window.host.adopt(scripted_setup(ScriptedEngine()))
     window.panels["robot"].controls.connect_robot.click()
-    assert "pip install" in errors[0]
+    assert shows(errors[0], "option.packages", extra="robot")
     assert not window.panels["robot"].link.on
 
 

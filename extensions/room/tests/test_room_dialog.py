@@ -24,7 +24,7 @@ from extensions.room.window.dialog import RoomDialog
 from extensions.room.window.guided import GuidedMovement, Phase
 from extensions.room.window.listening import Listened, tracker_lines, verdict
 from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup
-from tests.notices import raises
+from tests.notices import raises, shows
 from tracker.geometry import so3
 from tracker.messages import ImuSample, WristPose
 from tracker.simulation.scenario import Simulation
@@ -117,7 +117,7 @@ def test_a_source_is_chosen_tested_and_its_trackers_are_offered(
             qtbot.wait(10)
         qtbot.waitUntil(dialog.test.isEnabled, timeout=PATIENCE_MS)
         text = dialog.outcome.text()
-        assert WARN.colour in text and "Poses of 2 trackers arrive" in text
+        assert WARN.colour in text and shows(text, "room.test_unnamed", count=2)
         assert "Wrist: " in text and "Head: " in text
         combo = dialog.form.trackers["right"]
         assert combo.findText("Wrist") > 0 and combo.findText("Head") > 0
@@ -137,13 +137,13 @@ def test_the_test_says_that_nothing_arrives(
         port = server.port
     dialog.form.fields["port"].setValue(port)  # type: ignore[attr-defined]
     text = outcome(dialog, qtbot)
-    assert BAD.colour in text and "there is no connection" in text
+    assert BAD.colour in text and shows(text, "room.test_no_connection")
     choose(dialog, "room")
     dialog.form.fields["port"].setValue(free_port())  # type: ignore[attr-defined]
-    assert "nothing was received" in outcome(dialog, qtbot)
+    assert shows(outcome(dialog, qtbot), "room.test_nothing")
     dialog.on.click()
     qtbot.waitUntil(lambda: window.remote.door("room") is not None, timeout=PATIENCE_MS)
-    assert "nothing was received" in outcome(dialog, qtbot), "at the open one"
+    assert shows(outcome(dialog, qtbot), "room.test_nothing"), "at the open one"
     assert window.remote.is_on("room") and not window.remote.is_on("vrpn")
 
 
@@ -169,7 +169,7 @@ def test_the_guided_movement_aligns_the_tracker_and_live_tracking_uses_it(
     assert "Switch the source on" in dialog.align.words.text()
     port = switched_on(dialog, window, qtbot)
     dialog.align.start_button.click()
-    assert "Choose the tracker" in dialog.align.words.text()
+    assert shows(dialog.align.words.text(), "room.test_unnamed")
     dialog.form.trackers["right"].setCurrentText("LHR-1")
     dialog.form.apply()
     qtbot.waitUntil(lambda: window.remote.door("room") is not None, timeout=PATIENCE_MS)

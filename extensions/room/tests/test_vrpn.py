@@ -123,7 +123,7 @@ def test_bad_addresses_and_axes_are_errors(hands: Hands) -> None:
 
 
 def test_instants_are_those_of_the_server() -> None:
-    """What a message took longer than the quickest one is no delay of its measurement."""
+    """The extra transit time of a message over the fastest one does not delay its measurement."""
     clock, rng = ServerClock(), np.random.default_rng(2)
     stamps = np.arange(0.0, 30.0, 0.01)
     took = 0.002 + rng.exponential(0.004, len(stamps))

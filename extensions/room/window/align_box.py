@@ -34,7 +34,7 @@ TICK_MS = 100
 
 
 class AlignBox(QGroupBox):
-    """``wanted``, called before the movement, tells whether the source is ready."""
+    """``wanted``, called before the movement, returns whether the source is ready."""
 
     def __init__(
         self,

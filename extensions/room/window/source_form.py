@@ -19,7 +19,7 @@ ALIGNMENT = "alignment"
 
 
 class SourceForm(QWidget):
-    """Fields of the source ``name``, as they are stored; `apply` stores what the user changed."""
+    """Fields of the source ``name``, as stored; `apply` stores what the user changed."""
 
     def __init__(self, remote: RemoteControl, name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)

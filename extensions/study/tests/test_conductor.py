@@ -1,4 +1,4 @@
-"""The state machine that leads through the trials: pause, interruption, repetition, by hand."""
+"""The state machine that leads through the trials: pause, interruption, repetition, manual end."""
 
 from __future__ import annotations
 

@@ -20,6 +20,7 @@ from extensions.study.verdict import Measured, Verdict
 from extensions.study.window.dialog import StudyDialog
 from extensions.study.window.extension import show_study
 from tests.gui.gui_fakes import MemoryRecorder, ScriptedEngine, scripted_setup
+from tests.notices import shows
 from tracker.base.notices import warning
 from tracker.messages import Event
 
@@ -138,7 +139,7 @@ def test_without_an_engine_no_trial_begins(window: MainWindow, study: Study, qtb
     click(dialog.next_button, qtbot)
     reach(dialog, Phase.READY, qtbot)
     click(dialog.next_button, qtbot)
-    assert "Connect the glove" in dialog.detail.text()
+    assert shows(dialog.detail.text(), "study.no_engine")
     dialog.close()
 
 

@@ -27,14 +27,14 @@ _MIDDLE = np.array([TouchSheet.width / 2, TouchSheet.height / 2, 0.0])
 
 @dataclass(frozen=True, eq=False)
 class SheetPlace:
-    """Where the sheet truly lies in G: x_G = R_GS scale x_S + p_GS; ``scale`` of the print."""
+    """The true pose of the sheet in G: x_G = R_GS scale x_S + p_GS; ``scale`` of the print."""
 
     R_GS: Array
     p_GS: Array
     scale: float = 1.0
 
     def target(self, p_S: Array) -> Array:
-        """(3,) m in G of a point of the sheet as it is meant to be printed."""
+        """(3,) m in G of a point given in the sheet's nominal coordinates."""
         return self.R_GS @ (self.scale * p_S) + self.p_GS
 
     @property

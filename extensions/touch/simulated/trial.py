@@ -132,7 +132,7 @@ class Trial:
 
 
 def with_baseline(rig: StereoRig, factor: float) -> StereoRig:
-    """A calibration that has the cameras ``factor`` times as far apart as they are."""
+    """A calibration with ``factor`` times the true distance of the cameras."""
     right, P = rig.right, rig.right.P.copy()
     P[0, 3] *= factor
     return replace(rig, right=Camera(right.width, right.height, right.K, right.D, right.R, P))

@@ -98,7 +98,7 @@ def test_pose_and_scale_of_a_simulated_print_are_found(rig: StereoRig, scale: fl
 
 
 def wrong_baseline(rig: StereoRig, factor: float) -> StereoRig:
-    """A calibration whose cameras are said to be farther apart than they are."""
+    """A calibration with a baseline that is too long."""
     right, P = rig.right, rig.right.P.copy()
     P[0, 3] *= factor
     return replace(rig, right=Camera(right.width, right.height, right.K, right.D, right.R, P))

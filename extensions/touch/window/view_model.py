@@ -93,7 +93,7 @@ class TouchRun:
             self._end(t, done=True)
 
     def skip(self, t: float) -> None:
-        """Go on without it."""
+        """Continues without it."""
         if self.phase == TouchPhase.RUNNING:
             self._end(t, done=False)
 

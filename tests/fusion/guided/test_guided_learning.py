@@ -70,7 +70,8 @@ def learned(scene) -> Pipeline:
 
 
 def test_touching_pads_determine_the_bend_of_the_thumb(learned):
-    """A part of it: the end joint also bends by itself (15°), which one pinch does not separate."""
+    """A part of it: the end joint also bends independently (15°), which one pinch does not
+    separate."""
     assert 0.1 * BENT < thumb_offset(learned) < BENT
 
 

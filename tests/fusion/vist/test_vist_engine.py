@@ -64,7 +64,7 @@ def test_it_finds_and_tracks_a_stranger(session, tracked, hand, glove):
 
 
 def test_it_knows_its_own_uncertainty(session, tracked, hand, glove):
-    """Squared errors over variances: neither a tenth nor ten times what the filter believes."""
+    """Squared errors over variances: within a factor of ten of the filter's variances."""
     simulation, _ = session
     late = [e for e in tracked[0] if e.t > 3.0]
     names = glove.keypoint_names(hand)

@@ -1,4 +1,4 @@
-"""Degraded input: the engine goes on, says so, and recovers."""
+"""Degraded input: the engine continues, reports it, and recovers."""
 
 from dataclasses import replace
 
@@ -63,7 +63,7 @@ def test_faults_pass(session, hand, glove, fault):
             during.append(e)
         elif m.t > TO + 0.8:
             after.append(e)
-    if fault is no_right_image:  # a stereo method sees nothing with one camera, and says so
+    if fault is no_right_image:  # a stereo method measures nothing with one camera, and reports it
         assert all(e.tracking in (Tracking.COASTING, Tracking.LOST) for e in during)
     truth = np.array([x.keypoints for x in simulation.truths(np.array([e.t for e in after]))])
     error = np.linalg.norm(np.array([e.keypoints for e in after]) - truth, axis=2)[:, :21]

@@ -20,6 +20,7 @@ from tracker.base.catalogue import (
     stereo,
     tables,
     tracking,
+    window,
 )
 
 TEMPLATES: dict[str, str] = {
@@ -35,6 +36,7 @@ TEMPLATES: dict[str, str] = {
     **options.TEXTS,
     **settings.TEXTS,
     **tables.TEXTS,
+    **window.TEXTS,
 }
 
 WORDS = (

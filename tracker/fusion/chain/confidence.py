@@ -101,7 +101,7 @@ class HandConfidence:
         """Records which markers an image showed; match (2, M), -1 for none."""
         self.saved.seen[match.max(axis=0) >= 0] = t
 
-    # ---- what is believed
+    # ---- judgement of states
 
     def started(self) -> None:
         """After a start: only the search supports the pose."""

@@ -34,7 +34,7 @@ class ShownHand:
 
     @property
     def complete(self) -> Completion:
-        """Completes the whole hand from the estimated segments, as it is displayed."""
+        """Completes the displayed hand from the estimated segments."""
         return self._output.complete
 
     def wear(self, gains: Array, lateral: Array) -> None:

@@ -22,7 +22,7 @@ _IDENTIFYING = ("source",)  # a file's name contains the participant's
 
 
 def export_mcap(reader: SessionReader, path: Path, options: ExportOptions) -> None:
-    """Messages stay as they are, so rate, axes, units and joints have no meaning here.
+    """Messages are copied unchanged, so rate, axes, units and joints have no effect here.
 
     Raises ConfigError where they are asked for, or the hand or the time shall be left out.
     """

@@ -212,7 +212,7 @@ class McapOutput:
 
 
 class Copier:
-    """Writes messages of ``source`` to ``out`` as they are, with their channels and schemas."""
+    """Writes messages of ``source`` to ``out`` unchanged, with their channels and schemas."""
 
     def __init__(self, source: McapInput, out: McapOutput) -> None:
         contents = source.contents

@@ -1,5 +1,5 @@
-"""Remote control: start, stop, notes, vibration and contacts with things, asked by other programs.
+"""Remote control: other programs start and stop recordings and send notes, vibrations and contacts.
 
-`request` defines requests and replies, `osc` the same in OSC, `reception` bounds who
-asks how often, `doors` are the sockets. Off until asked for. See docs/streaming.md.
+`request` defines requests and replies, `osc` the same in OSC, `reception` limits their
+rates, `doors` are the sockets. Off by default. See docs/streaming.md.
 """

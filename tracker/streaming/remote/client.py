@@ -1,4 +1,4 @@
-"""Asks a window on another computer, or in another session of this one, over UDP."""
+"""Sends requests to a window on another computer, or in another session of this one, over UDP."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ UDP_PORT = 9760
 def ask(words: dict[str, Any], host: str, port: int = UDP_PORT, wait: float = 5.0) -> str:
     """Send one request and wait ``wait`` s for its answer, as JSON. Raises StreamError.
 
-    It is sent once: a start whose answer was lost would be refused the second time.
+    It is sent once: if the answer to a start is lost, a second one would be refused.
     """
     try:
         family, kind, _, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]

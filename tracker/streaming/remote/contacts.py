@@ -1,7 +1,7 @@
-"""Contacts of the wearer's fingers with things that only another program knows.
+"""Contacts of the wearer's fingers with objects of another program.
 
-A contact is reported when it begins, whenever it changes, and at least every `LASTS` s: who hangs
-up leaves neither a motor running nor a contact without an end.
+A contact is reported when it begins, when it changes, and at least every `LASTS` s: a program
+that crashes leaves neither a motor running nor a contact without an end.
 """
 
 from __future__ import annotations
@@ -27,14 +27,15 @@ class _Contact:
 
 
 class ContactBook:
-    """Which finger touches what; from any thread."""
+    """The current contacts of all fingers; for any thread."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
         self._standing: dict[tuple[str, str], _Contact] = {}
 
     def tell(self, request: Request) -> list[Event]:
-        """Take a request to heart; what began or ended by it, or has ended meanwhile."""
+        """Applies a request; returns the contacts that it began or ended, and those that
+        expired."""
         key = request.finger, request.object
         with self._lock:
             events = self._expire(request.t)
@@ -60,7 +61,7 @@ class ContactBook:
             return self._expire(t)
 
     def strength(self, finger: str) -> float:
-        """For a finger's strongest contact; 0 where it touches nothing."""
+        """Strength of a finger's strongest contact; 0 without one."""
         with self._lock:
             mine = [c.strength for key, c in self._standing.items() if key[0] == finger]
             return max(mine, default=0.0)
@@ -73,9 +74,9 @@ class ContactBook:
 
 
 def motor_of(strength: float) -> tuple[int, int]:
-    """Amplitude and ms of a motor's command; it stops at once where nothing is touched.
+    """Amplitude and duration (ms) of a motor's command; without a contact the motor stops at once.
 
-    The amplitude grows with the root of the strength, as what is felt does.
+    The amplitude grows with the square root of the strength, as the perceived one does.
     """
     if strength <= 0.0:
         return 0, 1

@@ -1,8 +1,8 @@
 """The sockets through which requests arrive: datagrams and WebSocket.
 
-Each has a thread of its own, in which a message is stamped as it arrives, however busy the window
-is. A datagram that is too much is dropped without an answer; a WebSocket client that asks too much
-is disconnected. Pages of other sites are turned away as from the other servers.
+Each has its own thread, in which a message is stamped on arrival, however loaded the window
+is. Datagrams above the limit are dropped without an answer; a WebSocket client that sends too many
+requests is disconnected. Pages of other sites are rejected, as by the other servers.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ Encode = Callable[[Reply], bytes]
 
 
 class Door(Protocol):
-    """An open way in. ``close`` frees its port and may be called again."""
+    """An open socket. ``close`` frees its port and may be called repeatedly."""
 
     @property
     def port(self) -> int: ...
@@ -43,7 +43,7 @@ class Door(Protocol):
 
 
 class DatagramDoor:
-    """Serves UDP at host:port; port 0 takes any free one. Raises StreamError in words."""
+    """Serves UDP at host:port; port 0 selects a free one. Raises StreamError."""
 
     def __init__(
         self, kind: str, codec: tuple[Parse, Encode], answer: Answer, host: str, port: int
@@ -89,7 +89,7 @@ class DatagramDoor:
 
 
 class _Datagrams(asyncio.DatagramProtocol):
-    """Takes each datagram in, and sends its answer to where it came from."""
+    """Receives datagrams and answers their senders."""
 
     def __init__(self, codec: tuple[Parse, Encode], reception: Reception) -> None:
         self._parse, self._encode = codec
@@ -108,7 +108,7 @@ class _Datagrams(asyncio.DatagramProtocol):
             future.add_done_callback(lambda done: self._later(done, address))
 
     def _later(self, done: Future[Reply], address: tuple[Any, ...]) -> None:
-        """In the thread that has acted; the loop may have ended meanwhile."""
+        """Called in the acting thread; the loop may have ended meanwhile."""
         if not done.cancelled():
             with contextlib.suppress(RuntimeError):
                 self._loop.call_soon_threadsafe(self._send, done.result(), address)
@@ -155,7 +155,7 @@ class WebSocketDoor:
 
 
 async def _reply(future: Future[Reply]) -> Reply:
-    """What was done; a request that waits too long is taken back."""
+    """Returns the reply; a request that waits too long is cancelled."""
     try:
         return await asyncio.wait_for(asyncio.wrap_future(future), ANSWER_WAIT)
     except TimeoutError:
@@ -163,12 +163,12 @@ async def _reply(future: Future[Reply]) -> Reply:
 
 
 def udp_door(answer: Answer, host: str, port: int) -> Door:
-    """JSON or plain words, answered as JSON."""
+    """Handles JSON or plain text; the answer is JSON."""
     return DatagramDoor("UDP", (parse, lambda r: r.as_json().encode()), answer, host, port)
 
 
 def is_loopback(host: str) -> bool:
-    """Whether ``host`` can be reached from this computer alone."""
+    """Whether ``host`` can be reached only from this computer."""
     try:
         return ipaddress.ip_address(host).is_loopback
     except ValueError:

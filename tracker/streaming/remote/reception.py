@@ -1,7 +1,7 @@
-"""Between a socket and who acts: bounds how often anybody asks, and counts.
+"""Limits the rate of requests between a socket and the window, and counts them.
 
-Nothing that comes from outside makes it hold more than a fixed amount: peers are forgotten oldest
-first, requests that wait for their answer are limited.
+Memory is bounded whatever clients send: the oldest peers are removed
+first, and the number of pending requests is limited.
 """
 
 from __future__ import annotations
@@ -16,25 +16,25 @@ from tracker.base.clock import monotonic
 from tracker.base.notices import failure
 from tracker.streaming.remote.request import Reply, Request, RequestError
 
-PER_PEER_HZ, ALL_HZ = 100.0, 300.0  # five motors 20 times a second are the most that is of use
-ACTS_HZ = 10.0  # of what is not vibration: each makes a line in the log
+PER_PEER_HZ, ALL_HZ = 100.0, 300.0  # five motors at 20 times per second are the useful maximum
+ACTS_HZ = 10.0  # of requests other than vibration: each adds a line to the log
 MOST_PEERS = 64
 MOST_WAITING = 64
-UNHURRIED = ("vibrate", "contact", "status")  # not counted as acts
+UNHURRIED = ("vibrate", "contact", "status")  # not counted as actions
 
 Answer = Callable[[Request], "Future[Reply]"]
-"""Who acts: called in a door's thread; the future is fulfilled in any."""
+"""The handler: called in a socket's thread; any thread may set the future."""
 
 
 class Allowance:
-    """A bucket that fills at ``rate_hz`` and holds two seconds of it."""
+    """A token bucket that fills at ``rate_hz`` up to two seconds' worth."""
 
     def __init__(self, rate_hz: float, t: float) -> None:
         self._rate, self._most = rate_hz, 2.0 * rate_hz
         self._left, self._t = self._most, t
 
     def take(self, t: float) -> bool:
-        """Whether one more is allowed at ``t`` s; it is taken then."""
+        """Whether one more is allowed at ``t`` s; if so, it is used up."""
         self._left = min(self._most, self._left + self._rate * max(0.0, t - self._t))
         self._t = max(self._t, t)
         if self._left < 1.0:
@@ -45,17 +45,17 @@ class Allowance:
 
 @dataclass(frozen=True)
 class DoorCounts:
-    """What came in; ``peers``: who asked, the latest last, with s since then."""
+    """Counts of received messages; ``peers``: senders, the latest last, with s since then."""
 
     name: str
     asked: int
-    refused: int  # not understood, or too many
+    refused: int  # not parsed, or over the limit
     peers: tuple[tuple[str, float], ...]
     clients: int | None  # connected now; None where there are no connections
 
 
 class Reception:
-    """One door's; all calls of `take` come from its one thread."""
+    """Reception of one socket; `take` is called only from its thread."""
 
     def __init__(
         self, answer: Answer, clock: Callable[[], float] = monotonic, acts_hz: float = ACTS_HZ
@@ -67,7 +67,7 @@ class Reception:
         self.asked = self.refused = 0
 
     def admit(self, peer: str) -> float | None:
-        """The time at which a message of ``peer`` arrived; None where it is one too many."""
+        """The arrival time of a message from ``peer``; None if it exceeds the limit."""
         t = self._clock()
         allowance, _ = self._peers.pop(peer, (None, 0.0))
         allowance = allowance or Allowance(PER_PEER_HZ, t)
@@ -80,7 +80,7 @@ class Reception:
         return None
 
     def take(self, read: Callable[[], Request | None]) -> Future[Reply] | None:
-        """Have what ``read`` gives acted on; None where there is nothing to answer."""
+        """Passes the request from ``read`` to the handler; None if there is nothing to answer."""
         try:
             request = read()
         except RequestError as error:

@@ -34,7 +34,7 @@ DOORS: Registry[DoorKind[Any]] = Registry("remote", "remote control", DoorKind)
 
 
 def door_kinds() -> dict[str, DoorKind[Any]]:
-    """All protocols that can be loaded, by name, in the order in which lists show them."""
+    """All protocols that can be loaded, by name, in the order of lists."""
     return kinds_of(DOORS)
 
 
@@ -47,6 +47,6 @@ def with_doors(settings: ConnectionSettings, words: str, host: str = "") -> Conn
 
 
 def open_door(kind: DoorKind[Opt], options: Opt, answer: Answer) -> Door:
-    """One protocol. Raises StreamError."""
+    """Opens one protocol. Raises StreamError."""
     with kind.opening(f"Remote control by {kind.name}"):
         return kind.make(options, answer)

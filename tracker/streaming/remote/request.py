@@ -1,12 +1,12 @@
-"""What may be asked from outside and what is answered, without any socket.
+"""Requests of other programs and replies to them, independent of the transport.
 
     {"do": "note", "text": "the cup is taken", "id": 7}
     {"ok": true, "do": "note", "text": "Noted.", "id": 7}
     {"ok": false, "do": "stop", "error": "Nothing is being recorded.", "id": 8}
 
-A datagram may also be plain words: ``start``, ``note the cup is taken``. Another thing to ask for
-is a line in `FIELDS` and in the receiver; a word or a field that is not known is an error in words,
-so that a client learns what this version can do.
+A datagram may also be plain text: ``start``, ``note the cup is taken``. A further request
+needs a line in `FIELDS` and in the receiver; an unknown word or field is reported as an error,
+so that a client can find out what this version supports.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ from tracker.hand.names import CHAINS
 MOST_BYTES = 2048  # of a request
 MOST_REPLY = 16384  # characters of an answer; a path may have 4096
 MOST_TEXT = 500  # characters of a note
-MOST_NAME = 64  # characters of the name of a thing
+MOST_NAME = 64  # characters of the name of an object
 MOST_ID = 64  # characters of an id
 MOST_AMPLITUDE, USUAL_AMPLITUDE = 255, 200
-MOST_MS, USUAL_MS = 2000, 80  # of one vibration: who hangs up cannot leave a motor running
+MOST_MS, USUAL_MS = 2000, 80  # of one vibration: a client that crashes cannot leave a motor running
 FIELDS: Mapping[str, tuple[str, ...]] = {
     "start": (),
     "stop": (),
@@ -36,22 +36,22 @@ FIELDS: Mapping[str, tuple[str, ...]] = {
     "vibrate": ("finger", "amplitude", "duration_ms"),
     "contact": ("finger", "strength", "object"),
 }
-"""The words, and what each may say besides ``do`` and ``id``."""
+"""The requests, and the fields of each besides ``do`` and ``id``."""
 
 
 _REPLY_VALUES = (str, int, float, bool, type(None))
 
 
 class RequestError(GlovetrackError):
-    """What was asked cannot be understood."""
+    """A request cannot be parsed."""
 
 
 @dataclass(frozen=True)
 class Request:
-    """``t``: when it arrived, s of the host's monotonic clock; ``id`` comes back in the answer.
+    """``t``: arrival time (s) on the host's monotonic clock; ``id`` is returned in the answer.
 
-    ``data``: what a note has besides its text, and ``side`` which hand vibrates ("": the first);
-    requests do not contain them, a door sets them.
+    ``data``: values of a note besides its text; ``side``: the hand that vibrates ("": the first);
+    requests do not contain them, the receiving socket sets them.
     """
 
     do: str
@@ -69,9 +69,9 @@ class Request:
 
 @dataclass(frozen=True)
 class Reply:
-    """``text`` is a sentence, of what was done or, where not ``ok``, of why it was not.
+    """``text`` is a sentence that says what was done or, if not ``ok``, why it was not.
 
-    ``more`` holds values for programs, ready for JSON.
+    ``more`` contains values for programs, ready for JSON.
     """
 
     ok: bool
@@ -81,7 +81,7 @@ class Reply:
     more: Mapping[str, Any] = field(default_factory=dict)
     id: str | int | None = None
     notice: Notice | None = None
-    """What prevented it, by code and values, which programs should compare rather than ``text``."""
+    """The reason as code and values, which programs should compare instead of ``text``."""
 
     @staticmethod
     def refused(do: str, why: Notice, id: str | int | None = None) -> Reply:
@@ -104,9 +104,9 @@ class Reply:
 
 
 def parse(data: bytes | str, t: float) -> Request | None:
-    """A request of JSON or of plain words; None for an answer, which is not answered again.
+    """Parses a request in JSON or plain text; returns None for an answer, which gets no reply.
 
-    Raises RequestError in words.
+    Raises RequestError.
     """
     if len(data) > MOST_BYTES:
         raise RequestError(notice("request.too_long", most=MOST_BYTES))
@@ -167,7 +167,7 @@ def from_fields(given: Mapping[str, Any], t: float) -> Request:
 
 
 def _text(value: object) -> str:
-    """One line that steers no terminal. Raises RequestError."""
+    """Returns one line without control characters. Raises RequestError."""
     if not isinstance(value, str):
         raise RequestError(notice("request.text"))
     clean = "".join(c if c.isprintable() else " " for c in value).strip()
@@ -208,7 +208,7 @@ def _object(value: object) -> str:
 
 
 def _id(value: object) -> str | int | None:
-    """Small, since it is sent back."""
+    """Checks that an id is small, since it is returned."""
     if value is None or (isinstance(value, str) and len(value) <= MOST_ID):
         return value
     if type(value) is int and abs(value) < 2**63:

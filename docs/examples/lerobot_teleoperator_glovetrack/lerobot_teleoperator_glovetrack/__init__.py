@@ -1,4 +1,4 @@
-"""Glovetrack as a teleoperator of LeRobot, which imports packages of this name by itself."""
+"""Glovetrack as a teleoperator of LeRobot, which imports packages with this prefix."""
 
 from .config_glovetrack import GlovetrackConfig
 from .glovetrack import Glovetrack
