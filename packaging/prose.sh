@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Checks spelling, retired words (packaging/prose/retired.txt: docs/glossary.md has the words in use),
-# sentences of errors in tests, and the titles of commits.
+# style (packaging/prose/styles), sentences of errors in tests, and the titles of commits.
 #
 #   packaging/prose.sh VENV
 set -euo pipefail
@@ -17,6 +17,8 @@ names='"[a-z_.]*(told|anew)[a-z_.]*"|[`"]aside[`"]|aside_deg'
 mapfile -t product < <(printf '%s\n' "${files[@]}" | grep -vE "^(CHANGELOG|resources/firmware|packaging/(prose|debian_smoke))")
 "$codespell" --dictionary "$prose/retired.txt" --regex '[A-Za-z][a-z]+' --ignore-regex "$names" \
     "${product[@]}"
+
+"$1/bin/python" "$prose/style.py"
 
 # Tests compare codes of notices (tests/notices.py) rather than English sentences.
 ours='Glovetrack|File|Device|Config|Stream|Usage|Request|Flash|Calibration|Alignment'

@@ -55,7 +55,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 def pytest_collection_finish() -> None:
-    """A million objects of tests and modules stay to the end: the collector need not look again."""
+    """A million objects of tests and modules stay to the end: no further collection is needed."""
     gc.collect()
     gc.freeze()
 

@@ -112,7 +112,7 @@ class GuidedRun:
             self._show("")
         self.phase = GuidedPhase.DONE
 
-    # --- as time goes on
+    # --- progress
 
     def tick(self, t: float) -> None:
         """Evaluate the pose."""

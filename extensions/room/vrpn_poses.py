@@ -91,7 +91,7 @@ class ServerClock:
     """Instants by the server's clock as instants of this computer.
 
     The quickest message of the last `WINDOW` gives the offset of both clocks: what others took
-    longer is no delay of the measurement. The time that the quickest one took remains, as with
+    longer is not a delay of the measurement. The time that the quickest one took remains, as with
     protocols without stamps; the alignment finds it.
     """
 

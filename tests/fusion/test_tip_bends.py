@@ -145,7 +145,7 @@ def test_what_was_seen_fades(layout: ChainLayout, rig: StereoRig, flat: ChainSta
     bend, P = worn.tips.saved.bend.copy(), worn.tips.saved.P.copy()
     flat.t = APART / 2
     worn.look(flat, nothing)
-    assert np.array_equal(worn.tips.saved.bend, bend)  # too soon to look again
+    assert np.array_equal(worn.tips.saved.bend, bend)  # too soon to check again
     flat.t = LASTS
     worn.look(flat, nothing)
     assert np.allclose(worn.tips.saved.bend, np.exp(-1.0) * bend)

@@ -136,7 +136,7 @@ class _Moment(NamedTuple):
 @record("finger.quaternion", shapes={"q_GB": "2 4"})
 @dataclass(eq=False)
 class QuaternionSavedState:
-    """All of it that changes: q_GB (2, 4) xyzw, None before the first sample, and the last two
+    """The saved state: q_GB (2, 4) xyzw, None before the first sample, and the last two
     samples, newest last."""
 
     q_GB: Array | None

@@ -17,7 +17,7 @@ COUNTERS = ("imu_lost", "imu_overflow", "frames_dropped", "stereo_refused", "cam
 
 
 def counted_since(before: Mapping[str, float], values: Mapping[str, float]) -> dict[str, float]:
-    """``values`` with each of `COUNTERS` less what it stood at in ``before``."""
+    """``values`` with each of `COUNTERS` reduced by its value in ``before``."""
     return {n: v - before.get(n, 0.0) if n in COUNTERS else v for n, v in values.items()}
 
 

@@ -36,7 +36,7 @@ class CameraMotionEstimate:
 
     def __init__(self) -> None:
         self.last: TimedPose | None = None
-        """All of it that changes."""
+        """The saved state."""
 
     def moved(self, frame: BlobFrame) -> BlobFrame:
         """Returns the frame with the motion of its camera; without it if there is no pose, or if

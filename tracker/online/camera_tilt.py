@@ -48,7 +48,7 @@ class _CameraRotation:
 @record("camera_tilt", shapes={"bias": "3"})
 @dataclass(eq=False)
 class CameraTiltSavedState:
-    """All of it that changes: the gyroscope's bias (3,) rad/s, the last sample, rotations."""
+    """The saved state: the gyroscope's bias (3,) rad/s, the last sample, rotations."""
 
     bias: Array
     last: CameraImuSample | None
@@ -112,7 +112,7 @@ class CameraTilt:
         return replace(frame, pose=self.pose(frame.t))
 
     def get_state(self) -> CameraTiltSavedState:
-        """All that changes."""
+        """The state to save."""
         return CameraTiltSavedState(self._bias, self._last, list(self._rotations))
 
     def set_state(self, state: CameraTiltSavedState) -> None:

@@ -35,7 +35,7 @@ def rates(estimate: dict[str, Any]) -> list[float]:
 
 
 def stamp(estimate: dict[str, Any]) -> tuple[int, int]:
-    """s and ns since 1970 of the instant of the pose; of now for a stream of schema 1."""
+    """s and ns since 1970 of the instant of the pose; the current time for a stream of schema 1."""
     at = estimate.get("t_unix_ns")
     return divmod(time.time_ns() if at is None else at, 10**9)
 

@@ -32,7 +32,7 @@ from tracker.simulation.wearer import WearerParams
 YAW, DELAY = 1.2, 0.035
 TRUE = RoomTracker()
 IN_PLACE = SimulationParams(wearer=WearerParams(mounting_deg=0.0, wobble_deg=0.0))
-"""IMUs that are on the hand as the glove file says: then the truth is what they can find."""
+"""IMUs mounted as in the glove file, so that the true alignment can be found."""
 INERTIAL = Settings(engine="inertial")
 
 

@@ -43,7 +43,7 @@ def messages(estimate: dict[str, Any], frame: str = "world") -> Iterator[Made]:
 
 
 def stamp(estimate: dict[str, Any]) -> dict[str, int]:
-    """For the instant of the estimate; of now for a stream without a wall clock."""
+    """The estimate's instant; the current time for a stream without a wall clock."""
     ns = estimate.get("t_unix_ns")
     sec, nanosec = divmod(time.time_ns() if ns is None else int(ns), 10**9)
     return {"sec": sec, "nanosec": nanosec}
