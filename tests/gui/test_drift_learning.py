@@ -70,7 +70,7 @@ def codes(reports: list[Notice]) -> list[str]:
 
 def test_each_run_improves_the_gloves_own_file(window, engine, reports):
     engine.warm_up(1)
-    window.host.recording.finished.emit(own_path(OWN))  # a recording ends, tracking goes on
+    window.host.recording.finished.emit(own_path(OWN))  # a recording ends, tracking continues
     first = drift_of_file()
     known = bound(window.store.value, NUMBER)
     assert (known.glove, known.wearer) == (OWN, "Ada") and window.store.value.glove == OWN
