@@ -15,16 +15,16 @@ from tracker.messages import Array, ImuSample
 
 POSITION_WORDS = {
     "palm_down": mark("Palm down, hand level"),
-    "fingers_raised": mark("Palm down, fingers raised by half a right angle"),
+    "fingers_raised": mark("Palm down, fingers raised by 45°"),
     "fingers_up": mark("Fingers straight up"),
-    "palm_up_raised": mark("Palm up, fingers raised by half a right angle"),
+    "palm_up_raised": mark("Palm up, fingers raised by 45°"),
     "palm_up": mark("Palm up, hand level"),
     "thumb_up": mark("Hand on its edge, thumb up"),
-    "thumb_up_raised": mark("Hand on its edge, thumb up, fingers raised by half a right angle"),
-    "thumb_side_raised": mark("Palm down, thumb side raised by half a right angle"),
-    "little_side_raised": mark("Palm down, little finger side raised by half a right angle"),
+    "thumb_up_raised": mark("Hand on its edge, thumb up, fingers raised by 45°"),
+    "thumb_side_raised": mark("Palm down, thumb side raised by 45°"),
+    "little_side_raised": mark("Palm down, little finger side raised by 45°"),
     "thumb_down": mark("Hand on its edge, thumb down"),
-    "fingers_lowered": mark("Palm down, fingers lowered by half a right angle"),
+    "fingers_lowered": mark("Palm down, fingers lowered by 45°"),
     "fingers_down": mark("Fingers straight down"),
 }
 

@@ -140,9 +140,11 @@ def disk(free: int, bytes_per_second: float) -> Disk:
         lasts = duration_text(max(0, free - STOP_BYTES) / bytes_per_second)
         left = tr("{} free, about {} of recording").format(size_text(free), lasts)
     if free < STOP_BYTES:
-        return Disk(left, tr("Under 1 GB is left: recording is not possible on this disk."), True)
+        return Disk(
+            left, tr("Less than 1 GB is left: recording is not possible on this disk."), True
+        )
     if free < LOW_BYTES:
-        return Disk(left, tr("Under 5 GB is left on this disk."), False)
+        return Disk(left, tr("Less than 5 GB is left on this disk."), False)
     return Disk(left, "", False)
 
 

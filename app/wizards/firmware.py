@@ -74,7 +74,7 @@ class FirmwareSetup(FormDialog):
         form.addRow(self.tr("Port"), beside(self.ports, self.again))
         form.addRow(self.tr("&Number of the glove"), self.number)
         form.addRow(self.tr("&Speed"), self.speeds)
-        form.addRow(self.tr("&Board"), self.boards)
+        form.addRow(self.tr("&Type of board"), self.boards)
         return form
 
     # --- what is there

@@ -26,7 +26,7 @@ class HtsOptions:
 class MediaPipeOptions:
     host: str = option(LOOPBACK, "destination")
     port: int = option(9002, "destination port")
-    width: float = option(0.8, "m that the imagined camera's image shows from left to right")
+    width: float = option(0.8, "width (m) that the virtual camera's image shows")
 
 
 def _hts(options: HtsOptions, hands: Sequence[Names]) -> Iterator[Publisher]:

@@ -61,7 +61,7 @@ STREAM = StreamKind(
     make=_outlets,
     extra=EXTRA,
     note="its library listens on all addresses of this computer, so others in the same network "
-    "can read it, unless a firewall keeps them out",
+    "can read it, unless a firewall blocks it",
     order=30,
 )
 MARKERS = DoorKind(

@@ -34,5 +34,5 @@ TEXTS = {
     "teleop.address": 'Invalid address "{address}". Use a UDP port or ws://HOST:PORT.',
     "teleop.port": "Port {port} cannot be opened: {why}.",
     "robot.no_state": "{path} does not contain the initial state of its robot {robot}.",
-    "robot.not_recorded": "{path} does not contain a robot. Asked for: {robot}.",
+    "robot.not_recorded": "{path} does not contain a robot. Requested: {robot}.",
 }

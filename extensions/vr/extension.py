@@ -25,7 +25,8 @@ class VmtOptions:
     right: int = option(RIGHT, "number of the right hand's device, 0 to 57")
     left: int = option(LEFT, "number of the left hand's device, 0 to 57")
     controller: bool = option(
-        False, "whether the device stands where a controller would be in the hand, not at the wrist"
+        False,
+        "whether the device is at the position of a controller in the hand instead of at the wrist",
     )
     trigger: str = option("pinch_index", "gesture for the trigger", CONTROLS)
     grip: str = option("grasp", "gesture for the grip", CONTROLS)

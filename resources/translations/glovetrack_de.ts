@@ -105,7 +105,7 @@
     <message>
       <location filename="app/jobs/export.py" />
       <source>failed</source>
-      <translation>gescheitert</translation>
+      <translation>fehlgeschlagen</translation>
     </message>
     <message>
       <location filename="app/jobs/export.py" />
@@ -465,7 +465,7 @@
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Blobs</source>
-      <translation>Blobs</translation>
+      <translation>Flecken</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
@@ -709,8 +709,8 @@
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
-      <source>Select a stored image first. The live image stays.</source>
-      <translation>Zuerst ein gespeichertes Bild auswählen. Das Livebild bleibt.</translation>
+      <source>Select a stored image first. The live image cannot be removed.</source>
+      <translation>Zuerst ein gespeichertes Bild auswählen. Das Livebild kann nicht entfernt werden.</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
@@ -785,7 +785,7 @@
     <message>
       <location filename="app/panels/colours/tools.py" />
       <source>From the tracked markers</source>
-      <translation>Aus den verfolgten Markern</translation>
+      <translation>Aus den getrackten Markern</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
@@ -1015,7 +1015,7 @@
     <message>
       <location filename="app/panels/graphs/layouts.py" />
       <source>Delete a layout…</source>
-      <translation>Anordnung löschen…</translation>
+      <translation>Layout löschen…</translation>
     </message>
     <message>
       <location filename="app/panels/graphs/layouts.py" />
@@ -1060,7 +1060,7 @@
     <message>
       <location filename="app/panels/graphs/panel.py" />
       <source>Layouts</source>
-      <translation>Anordnungen</translation>
+      <translation>Layouts</translation>
     </message>
     <message>
       <location filename="app/panels/graphs/plot.py" />
@@ -1254,8 +1254,8 @@
     </message>
     <message>
       <location filename="app/panels/hand/panel.py" />
-      <source>What the hand shows now, and how much of it</source>
-      <translation>Was die Hand jetzt zeigt, und wie sehr</translation>
+      <source>Current gestures and their strength</source>
+      <translation>Aktuelle Gesten und ihre Ausprägung</translation>
     </message>
     <message>
       <location filename="app/panels/hand/panel.py" />
@@ -2680,7 +2680,7 @@
     <message>
       <location filename="app/platform/tasks.py" />
       <source>{} failed: {}: {}</source>
-      <translation>„{}“ ist gescheitert: {}: {}</translation>
+      <translation>„{}“ ist fehlgeschlagen: {}: {}</translation>
     </message>
     <message>
       <location filename="app/storage/bound_gloves.py" />
@@ -2927,7 +2927,7 @@ change {}: {}</source>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Cannot be verified: this camera has no exposure control and may change its exposure automatically. Keep the light constant.</source>
-      <translation>Nicht prüfbar: Diese Kamera hat keine Belichtungssteuerung und kann ihre Belichtung automatisch ändern. Halten Sie das Licht konstant.</translation>
+      <translation>Nicht überprüfbar: Diese Kamera hat keine Belichtungssteuerung und kann ihre Belichtung automatisch ändern. Halten Sie das Licht konstant.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
@@ -3032,7 +3032,7 @@ change {}: {}</source>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>tracking</source>
-      <translation>wird verfolgt</translation>
+      <translation>wird getrackt</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
@@ -3127,17 +3127,17 @@ change {}: {}</source>
     <message>
       <location filename="app/viewmodels/colour_fits.py" />
       <source>Nothing was fitted: no patches of these colours were found.</source>
-      <translation>Nichts angepasst: Es wurden keine Flecken dieser Farben gefunden.</translation>
+      <translation>Nichts angepasst: Es wurden keine Flicken dieser Farben gefunden.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_fits.py" />
       <source>{} (1 patch)</source>
-      <translation>{} (Flecken: 1)</translation>
+      <translation>{} (Flicken: 1)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_fits.py" />
       <source>{} ({} patches)</source>
-      <translation>{} (Flecken: {})</translation>
+      <translation>{} (Flicken: {})</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_fits.py" />
@@ -3162,7 +3162,7 @@ change {}: {}</source>
     <message>
       <location filename="app/viewmodels/colour_picks.py" />
       <source>This pixel is too grey or too dark to have a hue (saturation {}, value {}). Click the middle of a {} marker.</source>
-      <translation>Dieser Bildpunkt ist zu grau oder zu dunkel für einen Farbton (Sättigung {}, Helligkeit {}). Klicken Sie auf die Mitte eines Markers in {}.</translation>
+      <translation>Dieses Pixel ist zu grau oder zu dunkel für einen Farbton (Sättigung {}, Helligkeit {}). Klicken Sie auf die Mitte eines Markers in {}.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_tuning.py" />
@@ -3487,7 +3487,7 @@ change {}: {}</source>
     <message>
       <location filename="app/viewmodels/device_settings.py" />
       <source>Battery</source>
-      <translation>Batterie</translation>
+      <translation>Akku</translation>
     </message>
     <message>
       <location filename="app/viewmodels/device_settings.py" />
@@ -4061,7 +4061,7 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/imu_positions.py" />
-      <source>Palm down, fingers raised by half a right angle</source>
+      <source>Palm down, fingers raised by 45°</source>
       <translation>Handfläche nach unten, Finger um 45° angehoben</translation>
     </message>
     <message>
@@ -4071,7 +4071,7 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/imu_positions.py" />
-      <source>Palm up, fingers raised by half a right angle</source>
+      <source>Palm up, fingers raised by 45°</source>
       <translation>Handfläche nach oben, Finger um 45° angehoben</translation>
     </message>
     <message>
@@ -4086,17 +4086,17 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/imu_positions.py" />
-      <source>Hand on its edge, thumb up, fingers raised by half a right angle</source>
+      <source>Hand on its edge, thumb up, fingers raised by 45°</source>
       <translation>Hand auf der Kante, Daumen nach oben, Finger um 45° angehoben</translation>
     </message>
     <message>
       <location filename="app/viewmodels/imu_positions.py" />
-      <source>Palm down, thumb side raised by half a right angle</source>
+      <source>Palm down, thumb side raised by 45°</source>
       <translation>Handfläche nach unten, Daumenseite um 45° angehoben</translation>
     </message>
     <message>
       <location filename="app/viewmodels/imu_positions.py" />
-      <source>Palm down, little finger side raised by half a right angle</source>
+      <source>Palm down, little finger side raised by 45°</source>
       <translation>Handfläche nach unten, Kleinfingerseite um 45° angehoben</translation>
     </message>
     <message>
@@ -4106,7 +4106,7 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/imu_positions.py" />
-      <source>Palm down, fingers lowered by half a right angle</source>
+      <source>Palm down, fingers lowered by 45°</source>
       <translation>Handfläche nach unten, Finger um 45° gesenkt</translation>
     </message>
     <message>
@@ -4182,12 +4182,12 @@ change {}: {}</source>
     <message>
       <location filename="app/viewmodels/library.py" />
       <source>tracked {} %</source>
-      <translation>verfolgt {} %</translation>
+      <translation>getrackt {} %</translation>
     </message>
     <message>
       <location filename="app/viewmodels/library.py" />
       <source>tracked left {}, right {} %</source>
-      <translation>verfolgt links {}, rechts {} %</translation>
+      <translation>getrackt links {}, rechts {} %</translation>
     </message>
     <message>
       <location filename="app/viewmodels/library.py" />
@@ -4501,12 +4501,12 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/recording.py" />
-      <source>Under 1 GB is left: recording is not possible on this disk.</source>
+      <source>Less than 1 GB is left: recording is not possible on this disk.</source>
       <translation>Weniger als 1 GB ist frei: Auf dieser Festplatte ist keine Aufnahme möglich.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/recording.py" />
-      <source>Under 5 GB is left on this disk.</source>
+      <source>Less than 5 GB is left on this disk.</source>
       <translation>Auf dieser Festplatte sind weniger als 5 GB frei.</translation>
     </message>
     <message>
@@ -4612,7 +4612,7 @@ change {}: {}</source>
     <message>
       <location filename="app/viewmodels/recording_report.py" />
       <source>tracked {:.0f} % of the time</source>
-      <translation>{:.0f} % der Zeit verfolgt</translation>
+      <translation>{:.0f} % der Zeit getrackt</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
@@ -4847,7 +4847,7 @@ change {}: {}</source>
     <message>
       <location filename="app/viewmodels/signals.py" />
       <source>battery voltage</source>
-      <translation>Batteriespannung</translation>
+      <translation>Akkuspannung</translation>
     </message>
     <message>
       <location filename="app/viewmodels/signals.py" />
@@ -4907,7 +4907,7 @@ change {}: {}</source>
     <message>
       <location filename="app/viewmodels/signals.py" />
       <source>Rates, latency and battery</source>
-      <translation>Raten, Latenz und Batterie</translation>
+      <translation>Raten, Latenz und Akku</translation>
     </message>
     <message>
       <location filename="app/viewmodels/signals.py" />
@@ -4922,12 +4922,12 @@ change {}: {}</source>
     <message>
       <location filename="app/viewmodels/signals.py" />
       <source>blobs, left</source>
-      <translation>Farbflecken, links</translation>
+      <translation>Flecken, links</translation>
     </message>
     <message>
       <location filename="app/viewmodels/signals.py" />
       <source>blobs, right</source>
-      <translation>Farbflecken, rechts</translation>
+      <translation>Flecken, rechts</translation>
     </message>
     <message>
       <location filename="app/viewmodels/signals.py" />
@@ -5692,7 +5692,7 @@ change {}: {}</source>
     <message>
       <location filename="app/window/main_window.py" />
       <source>Pose reset in {} s</source>
-      <translation>Haltung wird in {} s zurückgesetzt</translation>
+      <translation>Pose wird in {} s zurückgesetzt</translation>
     </message>
     <message>
       <location filename="app/window/main_window.py" />
@@ -6117,7 +6117,7 @@ change {}: {}</source>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>Pose reset sett&amp;ings…</source>
-      <translation>&amp;Haltung zurücksetzen: Einstellungen…</translation>
+      <translation>Pose zurücksetzen: Einste&amp;llungen…</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -6466,8 +6466,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/firmware.py" />
-      <source>&amp;Board</source>
-      <translation>&amp;Tafel</translation>
+      <source>&amp;Type of board</source>
+      <translation>&amp;Typ der Platine</translation>
     </message>
     <message>
       <location filename="app/wizards/firmware.py" />
@@ -6812,7 +6812,7 @@ change {}: {}</source>
     <message>
       <location filename="app/wizards/guided/dialog.py" />
       <source>Evaluating the poses…</source>
-      <translation>Haltungen werden ausgewertet…</translation>
+      <translation>Posen werden ausgewertet…</translation>
     </message>
     <message>
       <location filename="app/wizards/guided/dialog.py" />
@@ -6912,7 +6912,7 @@ change {}: {}</source>
     <message>
       <location filename="app/wizards/pose_reset.py" />
       <source>Pose reset</source>
-      <translation>Haltung zurücksetzen</translation>
+      <translation>Pose zurücksetzen</translation>
     </message>
     <message>
       <location filename="app/wizards/pose_reset.py" />
@@ -6932,7 +6932,7 @@ change {}: {}</source>
     <message>
       <location filename="app/wizards/pose_reset.py" />
       <source>Hold the hand flat and level, fingers straight ahead. The reset aligns the finger joints with that pose, and without a camera the heading, too.</source>
-      <translation>Halten Sie die Hand flach und waagerecht, die Finger gerade nach vorn. Das Zurücksetzen richtet die Fingergelenke nach dieser Haltung aus, ohne Kamera auch die Richtung.</translation>
+      <translation>Halten Sie die Hand flach und waagerecht, die Finger gerade nach vorn. Das Zurücksetzen richtet die Fingergelenke nach dieser Pose aus, ohne Kamera auch die Richtung.</translation>
     </message>
     <message>
       <location filename="app/wizards/pose_reset.py" />
@@ -7033,6 +7033,11 @@ change {}: {}</source>
       <location filename="app/wizards/stereo/board.py" />
       <source>From the camera's data sheet; a ZED Mini has 63 mm</source>
       <translation>Aus dem Datenblatt der Kamera; eine ZED Mini hat 63 mm</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/stereo/board.py" />
+      <source>&amp;Board</source>
+      <translation>&amp;Tafel</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
@@ -7381,7 +7386,7 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/applications/window/view_model.py" />
-      <source>The arm is stopped. Show a thumb up to go on.</source>
+      <source>The arm is stopped. Show a thumb up to continue.</source>
       <translation>Der Arm ist angehalten. Daumen hoch zeigen, um fortzufahren.</translation>
     </message>
     <message>
@@ -7437,7 +7442,7 @@ change {}: {}</source>
     <message>
       <location filename="extensions/applications/window/view_model.py" />
       <source>Applications run on a tracked hand: open the demo, devices or a session.</source>
-      <translation>Anwendungen laufen mit einer verfolgten Hand: Demo, Geräte oder eine Sitzung öffnen.</translation>
+      <translation>Anwendungen laufen mit einer getrackten Hand: Demo, Geräte oder eine Sitzung öffnen.</translation>
     </message>
     <message>
       <location filename="extensions/applications/window/view_model.py" />
@@ -7722,7 +7727,7 @@ change {}: {}</source>
     <message>
       <location filename="extensions/conformance/window/view_model.py" />
       <source>A hand is tracked</source>
-      <translation>Eine Hand wird verfolgt</translation>
+      <translation>Eine Hand wird getrackt</translation>
     </message>
     <message>
       <location filename="extensions/conformance/window/view_model.py" />
@@ -7977,7 +7982,7 @@ change {}: {}</source>
     <message>
       <location filename="extensions/openxr/window/panel.py" />
       <source>The hand is not tracked, so its position is unknown. Track it first.</source>
-      <translation>Die Hand wird nicht verfolgt, ihre Position ist daher unbekannt. Starten Sie zuerst das Tracking.</translation>
+      <translation>Die Hand wird nicht getrackt, ihre Position ist daher unbekannt. Starten Sie zuerst das Tracking.</translation>
     </message>
     <message>
       <location filename="extensions/openxr/window/view_model.py" />
@@ -8912,7 +8917,7 @@ change {}: {}</source>
     <message>
       <location filename="extensions/study/window/view_model.py" />
       <source>{:.1f} s, tracked {:.0f} % of the time, measured {:.0f} %, inferred {:.0f} %, {} packets lost, {:.0f} images per second</source>
-      <translation>{:.1f} s, {:.0f} % der Zeit verfolgt, {:.0f} % gemessen, {:.0f} % erschlossen, {} Pakete verloren, {:.0f} Bilder pro Sekunde</translation>
+      <translation>{:.1f} s, {:.0f} % der Zeit getrackt, {:.0f} % gemessen, {:.0f} % erschlossen, {} Pakete verloren, {:.0f} Bilder pro Sekunde</translation>
     </message>
     <message>
       <location filename="extensions/study/window/view_model.py" />
@@ -8951,8 +8956,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/study/window/view_model.py" />
-      <source>&amp;Accept, go on</source>
-      <translation>&amp;Annehmen, weiter</translation>
+      <source>&amp;Accept and continue</source>
+      <translation>&amp;Annehmen und weiter</translation>
     </message>
     <message>
       <location filename="extensions/study/window/view_model.py" />
@@ -9051,13 +9056,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/touch/window/dialog.py" />
-      <source>The report is written</source>
+      <source>The report is ready</source>
       <translation>Der Bericht ist fertig</translation>
     </message>
     <message>
       <location filename="extensions/touch/window/dialog.py" />
-      <source>There is no report</source>
-      <translation>Es gibt keinen Bericht</translation>
+      <source>No report was written</source>
+      <translation>Es wurde kein Bericht geschrieben</translation>
     </message>
     <message>
       <location filename="extensions/touch/window/dialog.py" />
@@ -9071,7 +9076,7 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/touch/window/dialog.py" />
-      <source>Lay the sheet before the camera, with your hand out of its view. The test takes about five minutes.</source>
+      <source>Lay the sheet in front of the camera, and keep your hand out of its view. The test takes about five minutes.</source>
       <translation>Legen Sie das Blatt vor die Kamera; Ihre Hand darf nicht im Bild sein. Der Test dauert etwa fünf Minuten.</translation>
     </message>
     <message>
@@ -9091,7 +9096,7 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/touch/window/view_model.py" />
-      <source>Approach fast.</source>
+      <source>Approach quickly.</source>
       <translation>Nähern Sie sich schnell.</translation>
     </message>
     <message>
@@ -9261,7 +9266,7 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.streams" />
-      <source>whether the device stands where a controller would be in the hand, not at the wrist</source>
+      <source>whether the device is at the position of a controller in the hand instead of at the wrist</source>
       <translation>ob das Gerät dort ist, wo ein Controller in der Hand wäre, statt am Handgelenk</translation>
     </message>
     <message>
@@ -9326,8 +9331,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.streams" />
-      <source>m that the imagined camera's image shows from left to right</source>
-      <translation>m, die das Bild der gedachten Kamera von links nach rechts zeigt</translation>
+      <source>width (m) that the virtual camera's image shows</source>
+      <translation>Breite (m), die das Bild der virtuellen Kamera zeigt</translation>
     </message>
     <message>
       <location filename="glovetrack.streams" />
@@ -9356,8 +9361,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.streams" />
-      <source>its library listens on all addresses of this computer, so others in the same network can read it, unless a firewall keeps them out</source>
-      <translation>seine Bibliothek lauscht an allen Adressen dieses Computers; andere im selben Netz können mitlesen, wenn keine Firewall sie abhält</translation>
+      <source>its library listens on all addresses of this computer, so others in the same network can read it, unless a firewall blocks it</source>
+      <translation>seine Bibliothek lauscht an allen Adressen dieses Computers; andere im selben Netz können mitlesen, wenn keine Firewall dies verhindert</translation>
     </message>
     <message>
       <location filename="glovetrack.streams" />
@@ -9617,7 +9622,7 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.formats" />
       <source>OpenSim model of the hand as tracked (OSIM)</source>
-      <translation>OpenSim-Modell der verfolgten Hand (OSIM)</translation>
+      <translation>OpenSim-Modell der getrackten Hand (OSIM)</translation>
     </message>
     <message>
       <location filename="glovetrack.formats" />
@@ -9692,7 +9697,7 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>The two images are offset vertically by {apart_px:.1f} pixels: a lens has moved since the stereo calibration. Calibrate the camera again.</source>
-      <translation>Die beiden Bilder sind in der Höhe um {apart_px:.1f} Bildpunkte versetzt: Seit der Stereo-Kalibrierung hat sich ein Objektiv verschoben. Kalibrieren Sie die Kamera neu.</translation>
+      <translation>Die beiden Bilder sind in der Höhe um {apart_px:.1f} Pixel versetzt: Seit der Stereo-Kalibrierung hat sich ein Objektiv verschoben. Kalibrieren Sie die Kamera neu.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -9707,12 +9712,12 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>The images have moved relative to each other by {jump_px:.0f} pixels at once: a lens was knocked. If this does not recover, calibrate the camera again.</source>
-      <translation>Die Bilder haben sich auf einmal um {jump_px:.0f} Bildpunkte gegeneinander verschoben: Ein Objektiv wurde angestoßen. Wenn das so bleibt, kalibrieren Sie die Kamera neu.</translation>
+      <translation>Die Bilder haben sich auf einmal um {jump_px:.0f} Pixel gegeneinander verschoben: Ein Objektiv wurde angestoßen. Wenn das so bleibt, kalibrieren Sie die Kamera neu.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>All markers have jumped by {jump_px:.0f} pixels at once: the camera was moved. Positions now refer to its new location.</source>
-      <translation>Alle Marker sind auf einmal um {jump_px:.0f} Bildpunkte gesprungen: Die Kamera wurde bewegt. Positionen beziehen sich jetzt auf ihren neuen Standort.</translation>
+      <translation>Alle Marker sind auf einmal um {jump_px:.0f} Pixel gesprungen: Die Kamera wurde bewegt. Positionen beziehen sich jetzt auf ihren neuen Standort.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -9732,12 +9737,12 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>The camera delivers images of {width} by {height} pixels, but its calibration is for {calibrated_width} by {calibrated_height}. Choose that size, or calibrate the camera again.</source>
-      <translation>Die Kamera liefert Bilder von {width} × {height} Bildpunkten, ihre Kalibrierung gilt aber für {calibrated_width} × {calibrated_height}. Wählen Sie diese Größe, oder kalibrieren Sie die Kamera neu.</translation>
+      <translation>Die Kamera liefert Bilder von {width} × {height} Pixeln, ihre Kalibrierung gilt aber für {calibrated_width} × {calibrated_height}. Wählen Sie diese Größe, oder kalibrieren Sie die Kamera neu.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>The {side:word} camera delivers images of {width} by {height} pixels, but the calibration is for {calibrated_width} by {calibrated_height}. Choose that size, or calibrate the cameras again.</source>
-      <translation>Die Kamera {side:word} liefert Bilder von {width} × {height} Bildpunkten, die Kalibrierung gilt aber für {calibrated_width} × {calibrated_height}. Wählen Sie diese Größe, oder kalibrieren Sie die Kameras neu.</translation>
+      <translation>Die Kamera {side:word} liefert Bilder von {width} × {height} Pixeln, die Kalibrierung gilt aber für {calibrated_width} × {calibrated_height}. Wählen Sie diese Größe, oder kalibrieren Sie die Kameras neu.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -9857,7 +9862,7 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>This looks like a glove for the {other:word} hand: its patches are mirrored. The file {glove} is for the {side:word} hand. Choose one for the {other:word} hand.</source>
-      <translation>Das sieht nach einem Handschuh für die andere Hand aus ({other:word}): Seine Flecken sind gespiegelt. Die Datei {glove} gilt für die Hand {side:word}. Wählen Sie eine für die Hand {other:word}.</translation>
+      <translation>Das sieht nach einem Handschuh für die andere Hand aus ({other:word}): Seine Flicken sind gespiegelt. Die Datei {glove} gilt für die Hand {side:word}. Wählen Sie eine für die Hand {other:word}.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -9906,8 +9911,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>Data arrive from the glove's port that cannot be decoded at {baud} baud. Choose another speed under Set-up, Glove, or write the firmware for this speed.</source>
-      <translation>Vom Anschluss des Handschuhs treffen Daten ein, die sich bei {baud} Baud nicht dekodieren lassen. Wählen Sie unter Einrichtung, Handschuh eine andere Geschwindigkeit, oder schreiben Sie die Firmware für diese Geschwindigkeit.</translation>
+      <source>The data from the glove's port cannot be decoded at {baud} baud. Choose another speed under Set-up, Glove, or write the firmware for this speed.</source>
+      <translation>Die Daten vom Anschluss des Handschuhs lassen sich mit {baud} Baud nicht dekodieren. Wählen Sie unter Einrichtung, Handschuh eine andere Geschwindigkeit, oder schreiben Sie die Firmware für diese Geschwindigkeit.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -10031,8 +10036,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>IMU {imu} of the glove: axes that no longer change: {axes:list}. Restart the glove; if they stay so, replace the IMU.</source>
-      <translation>IMU {imu} des Handschuhs: Achsen, die sich nicht mehr ändern: {axes:list}. Starten Sie den Handschuh neu; bleiben sie so, tauschen Sie die IMU aus.</translation>
+      <source>IMU {imu} of the glove: axes that no longer change: {axes:list}. Restart the glove; if this persists, replace the IMU.</source>
+      <translation>IMU {imu} des Handschuhs: Achsen, die sich nicht mehr ändern: {axes:list}. Starten Sie den Handschuh neu; bleibt das so, tauschen Sie die IMU aus.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -10102,7 +10107,7 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>More than {limit} coloured patches in an image; {ignored} ignored so far.</source>
-      <translation>Mehr als {limit} farbige Flecken in einem Bild; bisher wurden {ignored} ignoriert.</translation>
+      <translation>Mehr als {limit} farbige Flicken in einem Bild; bisher wurden {ignored} ignoriert.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -10112,7 +10117,7 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>The stereo image is {width_px} pixels wide and cannot be split into two halves.</source>
-      <translation>Das Stereobild ist {width_px} Bildpunkte breit und lässt sich nicht in zwei Hälften teilen.</translation>
+      <translation>Das Stereobild ist {width_px} Pixel breit und lässt sich nicht in zwei Hälften teilen.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -10212,7 +10217,7 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>A ZED has no images {height_px} pixels high. Possible heights: {known:list}.</source>
-      <translation>Eine ZED hat keine {height_px} Bildpunkte hohen Bilder. Mögliche Höhen: {known:list}.</translation>
+      <translation>Eine ZED hat keine {height_px} Pixel hohen Bilder. Mögliche Höhen: {known:list}.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -10331,13 +10336,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>Close other programs before you track.</source>
-      <translation>Schließen Sie andere Programme, bevor Sie verfolgen.</translation>
+      <source>Close other programs before you start tracking.</source>
+      <translation>Schließen Sie andere Programme, bevor Sie das Tracking starten.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>Tracking at {fps:.0f} images per second takes {share_percent:.0f} % of a core at the present load: {detection_percent:.0f} % for the images, {filter_percent:.0f} % for the filter.</source>
-      <translation>Die Verfolgung mit {fps:.0f} Bildern pro Sekunde belegt bei der jetzigen Last {share_percent:.0f} % eines Kerns: {detection_percent:.0f} % für die Bilder, {filter_percent:.0f} % für das Filter.</translation>
+      <translation>Das Tracking mit {fps:.0f} Bildern pro Sekunde belegt bei der jetzigen Last {share_percent:.0f} % eines Kerns: {detection_percent:.0f} % für die Bilder, {filter_percent:.0f} % für das Filter.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -10377,7 +10382,7 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>Install the card's driver. Tracking itself does not need one.</source>
-      <translation>Installieren Sie den Treiber der Karte. Die Verfolgung selbst braucht keine.</translation>
+      <translation>Installieren Sie den Treiber der Karte. Das Tracking selbst braucht keinen.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -10747,7 +10752,7 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>The hand is tracked.</source>
-      <translation>Die Hand wird verfolgt.</translation>
+      <translation>Die Hand wird getrackt.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -10767,7 +10772,7 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>The {side:word} hand is tracked.</source>
-      <translation>Die Hand {side:word} wird verfolgt.</translation>
+      <translation>Die Hand {side:word} wird getrackt.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -10782,37 +10787,37 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>Pose reset: the engine {engine} does not support it. Choose the engine chain or inertial.</source>
-      <translation>Haltung zurücksetzen: Das Verfahren {engine} unterstützt das nicht. Wählen Sie das Verfahren chain oder inertial.</translation>
+      <translation>Pose zurücksetzen: Das Verfahren {engine} unterstützt das nicht. Wählen Sie das Verfahren chain oder inertial.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>Pose reset, {side:word} hand: not possible before the hand is tracked.</source>
-      <translation>Haltung zurücksetzen, Hand {side:word}: nicht möglich, bevor die Hand verfolgt wird.</translation>
+      <translation>Pose zurücksetzen, Hand {side:word}: nicht möglich, bevor die Hand getrackt wird.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>Pose reset, {side:word} hand: not done, because fingers are bent. Hold the hand flat and try again.</source>
-      <translation>Haltung zurücksetzen, Hand {side:word}: nicht ausgeführt, weil Finger gebeugt sind. Halten Sie die Hand flach und versuchen Sie es erneut.</translation>
+      <translation>Pose zurücksetzen, Hand {side:word}: nicht ausgeführt, weil Finger gebeugt sind. Halten Sie die Hand flach und versuchen Sie es erneut.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>Pose reset, {side:word} hand: not done, because the fingers point up or down. Hold the hand level and try again.</source>
-      <translation>Haltung zurücksetzen, Hand {side:word}: nicht ausgeführt, weil die Finger nach oben oder unten zeigen. Halten Sie die Hand waagerecht und versuchen Sie es erneut.</translation>
+      <translation>Pose zurücksetzen, Hand {side:word}: nicht ausgeführt, weil die Finger nach oben oder unten zeigen. Halten Sie die Hand waagerecht und versuchen Sie es erneut.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>Pose reset, {side:word} hand: joints corrected by up to {joints_deg:.0f}°. The heading is measured by the camera.</source>
-      <translation>Haltung zurückgesetzt, Hand {side:word}: Gelenke um bis zu {joints_deg:.0f}° berichtigt. Die Richtung misst die Kamera.</translation>
+      <translation>Pose zurückgesetzt, Hand {side:word}: Gelenke um bis zu {joints_deg:.0f}° berichtigt. Die Richtung misst die Kamera.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>Pose reset, {side:word} hand: joints corrected by up to {joints_deg:.0f}°, heading by {heading_deg:.0f}°.</source>
-      <translation>Haltung zurückgesetzt, Hand {side:word}: Gelenke um bis zu {joints_deg:.0f}°, Richtung um {heading_deg:.0f}° berichtigt.</translation>
+      <translation>Pose zurückgesetzt, Hand {side:word}: Gelenke um bis zu {joints_deg:.0f}°, Richtung um {heading_deg:.0f}° berichtigt.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>Pose reset: hand flat, fingers straight ahead.</source>
-      <translation>Haltung zurückgesetzt: Hand flach, Finger gerade nach vorn.</translation>
+      <translation>Pose zurückgesetzt: Hand flach, Finger gerade nach vorn.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -10827,17 +10832,17 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>The engine {engine} does not learn from guided poses.</source>
-      <translation>Das Verfahren {engine} lernt nicht aus angeleiteten Haltungen.</translation>
+      <translation>Das Verfahren {engine} lernt nicht aus geführten Posen.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>There is no guided pose "{pose}". It is ignored.</source>
-      <translation>Es gibt keine angeleitete Haltung „{pose}“. Sie wird ignoriert.</translation>
+      <translation>Es gibt keine geführte Pose „{pose}“. Sie wird ignoriert.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>The guided pose "{pose}" neither begins nor ends. It is ignored.</source>
-      <translation>Die angeleitete Haltung „{pose}“ beginnt weder noch endet sie. Sie wird ignoriert.</translation>
+      <translation>Die geführte Pose „{pose}“ beginnt weder noch endet sie. Sie wird ignoriert.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -10986,8 +10991,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>measures {gravity:.1f} m/s² of gravity, so its accelerometer is off</source>
-      <translation>misst {gravity:.1f} m/s² Schwerkraft, ihr Beschleunigungssensor weicht also ab</translation>
+      <source>measures {gravity:.1f} m/s² of gravity, so its accelerometer is inaccurate</source>
+      <translation>misst {gravity:.1f} m/s² Schwerkraft, ihr Beschleunigungssensor ist also ungenau</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -11036,8 +11041,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>It is on the {found:word}; the glove file has it on the {expected:word}.</source>
-      <translation>Sie ist an {found:word}, laut Handschuhdatei aber an {expected:word}.</translation>
+      <source>It is on the {found:word}, but according to the glove file it belongs on the {expected:word}.</source>
+      <translation>Sie ist an {found:word}, gehört laut Handschuhdatei aber an {expected:word}.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -11046,13 +11051,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>It is where the glove file has it.</source>
-      <translation>Sie ist dort, wo sie laut Handschuhdatei sein soll.</translation>
+      <source>Its position matches the glove file.</source>
+      <translation>Ihre Position stimmt mit der Handschuhdatei überein.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>Every IMU is where the glove file has it.</source>
-      <translation>Jede IMU ist dort, wo sie laut Handschuhdatei sein soll.</translation>
+      <source>The positions of all IMUs match the glove file.</source>
+      <translation>Die Positionen aller IMUs stimmen mit der Handschuhdatei überein.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -11107,22 +11112,22 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>The simulated wearer is asked for the pose {pose:word}.</source>
-      <translation>Von der simulierten Person wird die Haltung {pose:word} verlangt.</translation>
+      <translation>Von der simulierten Person wird die Pose {pose:word} verlangt.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>The simulated wearer is not asked for a pose any more.</source>
-      <translation>Von der simulierten Person wird keine Haltung mehr verlangt.</translation>
+      <translation>Von der simulierten Person wird keine Pose mehr verlangt.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>No pixels are marked for the hue "{hue:word}".</source>
-      <translation>Für den Farbton „{hue:word}“ sind keine Bildpunkte markiert.</translation>
+      <translation>Für den Farbton „{hue:word}“ sind keine Pixel markiert.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>The pixels marked for "{hue:word}" have every hue. Mark one cloth only.</source>
-      <translation>Die für „{hue:word}“ markierten Bildpunkte haben jeden Farbton. Markieren Sie nur einen Stoff.</translation>
+      <source>The pixels marked for "{hue:word}" cover all hues. Mark only one cloth.</source>
+      <translation>Die für „{hue:word}“ markierten Pixel umfassen alle Farbtöne. Markieren Sie nur einen Stoff.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -11142,7 +11147,7 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>Only the pixels that you pointed at were learned: no glove was recognised around them. Hold your hand flat and point at the centre of a patch of each hue.</source>
-      <translation>Nur die Bildpunkte, auf die Sie gezeigt haben, wurden gelernt: Um sie herum wurde kein Handschuh erkannt. Halten Sie die Hand flach und zeigen Sie auf die Mitte eines Flecks jedes Farbtons.</translation>
+      <translation>Nur die Pixel, auf die Sie gezeigt haben, wurden gelernt: Um sie herum wurde kein Handschuh erkannt. Halten Sie die Hand flach und zeigen Sie auf die Mitte eines Flickens jedes Farbtons.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -11152,17 +11157,17 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>The colours are unchanged: the fitted ones find {found} patches of the glove and {others} other objects, the current ones {found_before} and {others_before}.</source>
-      <translation>Die Farben sind unverändert: Die angepassten finden {found} Flecken des Handschuhs und {others} andere Objekte, die jetzigen {found_before} und {others_before}.</translation>
+      <translation>Die Farben sind unverändert: Die angepassten finden {found} Flicken des Handschuhs und {others} andere Objekte, die jetzigen {found_before} und {others_before}.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>The colours find {patches} patches, none of which fit the glove. Fit the colours.</source>
-      <translation>Die Farben finden {patches} Flecken, von denen keiner zum Handschuh passt. Passen Sie die Farben an.</translation>
+      <translation>Die Farben finden {patches} Flicken, von denen keiner zum Handschuh passt. Passen Sie die Farben an.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>The colours no longer find too many patches, or the hand was found.</source>
-      <translation>Die Farben finden nicht mehr zu viele Flecken, oder die Hand wurde gefunden.</translation>
+      <translation>Die Farben finden nicht mehr zu viele Flicken, oder die Hand wurde gefunden.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -11316,8 +11321,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>The result has the cameras point {angle_deg:.0f} degrees apart. They must point in the same direction.</source>
-      <translation>Nach dem Ergebnis blicken die Kameras {angle_deg:.0f} Grad auseinander. Sie müssen in dieselbe Richtung blicken.</translation>
+      <source>The result has an angle of {angle_deg:.0f} degrees between the cameras. They must point in the same direction.</source>
+      <translation>Nach dem Ergebnis beträgt der Winkel zwischen den Kameras {angle_deg:.0f} Grad. Sie müssen in dieselbe Richtung blicken.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -11327,7 +11332,7 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>The pixels of the {lens:word} are not square ({x_px:.0f} by {y_px:.0f}).</source>
-      <translation>{lens:word}: Die Bildpunkte sind nicht quadratisch ({x_px:.0f} × {y_px:.0f}).</translation>
+      <translation>{lens:word}: Die Pixel sind nicht quadratisch ({x_px:.0f} × {y_px:.0f}).</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -11612,7 +11617,7 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>An image of {camera} claims a size of {width} by {height} pixels.</source>
-      <translation>Ein Bild von {camera} gibt eine Größe von {width} × {height} Bildpunkten an.</translation>
+      <translation>Ein Bild von {camera} gibt eine Größe von {width} × {height} Pixeln an.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -12051,8 +12056,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>Images are every one or every n-th, not every {every}.</source>
-      <translation>Bilder sind jedes oder jedes n-te, nicht jedes {every}.</translation>
+      <source>--every must be at least 1, not {every}.</source>
+      <translation>--every muss mindestens 1 sein, nicht {every}.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -12487,7 +12492,7 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>Smoothing requires the engine chain, not {engine}.</source>
-      <translation>Glätten erfordert den Schätzer chain, nicht {engine}.</translation>
+      <translation>Glätten erfordert das Verfahren chain, nicht {engine}.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -12827,7 +12832,7 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>{stream}: nothing has been sent yet, because no hand is tracked.</source>
-      <translation>{stream}: Es wurde noch nichts gesendet, weil keine Hand verfolgt wird.</translation>
+      <translation>{stream}: Es wurde noch nichts gesendet, weil keine Hand getrackt wird.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -13452,7 +13457,7 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>No markers were tracked yet. Fit from the image alone first.</source>
-      <translation>Noch wurden keine Marker verfolgt. Erst allein aus dem Bild anpassen.</translation>
+      <translation>Noch wurden keine Marker getrackt. Erst allein aus dem Bild anpassen.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -13627,22 +13632,22 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>Only the engine inertial can be evaluated without a camera.</source>
-      <translation>Ohne Kamera lässt sich nur der Schätzer inertial auswerten.</translation>
+      <translation>Ohne Kamera lässt sich nur das Verfahren inertial auswerten.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>The engine inertial does not use images. Add --lenses none.</source>
-      <translation>Der Schätzer inertial verwendet keine Bilder. Ergänzen Sie --lenses none.</translation>
+      <translation>Das Verfahren inertial verwendet keine Bilder. Ergänzen Sie --lenses none.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>The engine {engine} requires both lenses. Add --engines chain.</source>
-      <translation>Der Schätzer {engine} braucht beide Objektive. Ergänzen Sie --engines chain.</translation>
+      <translation>Das Verfahren {engine} braucht beide Objektive. Ergänzen Sie --engines chain.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
       <source>Only the engine chain uses a wearer's profile. Add --engines chain.</source>
-      <translation>Nur der Schätzer chain verwendet das Profil einer Person. Ergänzen Sie --engines chain.</translation>
+      <translation>Nur das Verfahren chain verwendet das Profil einer Person. Ergänzen Sie --engines chain.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -14196,8 +14201,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>{path} does not contain a robot. Asked for: {robot}.</source>
-      <translation>{path} enthält keinen Roboter. Gefragt war: {robot}.</translation>
+      <source>{path} does not contain a robot. Requested: {robot}.</source>
+      <translation>{path} enthält keinen Roboter. Angefordert: {robot}.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -14342,7 +14347,7 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>Nothing is tracked. Connect the glove and the camera, then start again.</source>
-      <translation>Es wird nichts verfolgt. Schließen Sie Handschuh und Kamera an, und starten Sie dann erneut.</translation>
+      <translation>Es wird nichts getrackt. Schließen Sie Handschuh und Kamera an, und starten Sie dann erneut.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -14367,7 +14372,7 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>The hand was tracked for {found_percent:.0f} % of the time; the protocol requires {least_percent:.0f} %.</source>
-      <translation>Die Hand wurde {found_percent:.0f} % der Zeit verfolgt; das Protokoll verlangt {least_percent:.0f} %.</translation>
+      <translation>Die Hand wurde {found_percent:.0f} % der Zeit getrackt; das Protokoll verlangt {least_percent:.0f} %.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -14492,7 +14497,7 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>The session contains no tracked hand. Track it first: glovetrack track.</source>
-      <translation>Die Aufnahme enthält keine verfolgte Hand. Verfolgen Sie sie zuerst: glovetrack track.</translation>
+      <translation>Die Aufnahme enthält keine getrackte Hand. Verfolgen Sie sie zuerst: glovetrack track.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />

@@ -263,6 +263,8 @@ class ColoursSource(QWidget):
     def remove(self) -> None:
         """Remove the stored image that is shown."""
         if self.is_live:
-            self.failed.emit(self.tr("Select a stored image first. The live image stays."))
+            self.failed.emit(
+                self.tr("Select a stored image first. The live image cannot be removed.")
+            )
             return
         self.stored.remove(self.choice.currentText())

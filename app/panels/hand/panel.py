@@ -132,7 +132,7 @@ class HandPanel(Panel):
         self.legend = ValidityLegend()
         self.gesture = ElidedLabel()
         self.gesture.setAlignment(Qt.AlignmentFlag.AlignRight)
-        self.gesture.setToolTip(self.tr("What the hand shows now, and how much of it"))
+        self.gesture.setToolTip(self.tr("Current gestures and their strength"))
         self.legend.row.addWidget(self.gesture, 1)
         return self.legend
 

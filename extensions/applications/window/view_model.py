@@ -209,7 +209,7 @@ def _touch_step(made: Progress) -> str:
 
 def _arm_step(made: Progress) -> str:
     if made.is_active("stop", "go_on"):
-        return tr("The arm is stopped. Show a thumb up to go on.")
+        return tr("The arm is stopped. Show a thumb up to continue.")
     if made.is_active("grab", "release"):
         return tr("Move the closed hand to carry the block. Pinch again to open the gripper.")
     if made.is_active("clutch", "unclutch"):

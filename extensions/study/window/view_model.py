@@ -86,7 +86,8 @@ def _verdict(conductor: Conductor, where: str, title: str) -> Shown:
     verdict = conductor.verdict
     assert verdict is not None
     if verdict.is_good:
-        return Shown(where, title, tr("Good"), figures_text(verdict), 1.0, tr("&Accept, go on"),
+        figures = figures_text(verdict)
+        return Shown(where, title, tr("Good"), figures, 1.0, tr("&Accept and continue"),
                      can_repeat=True, is_good=True)  # fmt: skip
     why = " ".join(notice_text(finding) for finding in verdict.findings)
     return Shown(where, title, tr("Not good"), why, 1.0, tr("&Accept anyway"), can_repeat=True,

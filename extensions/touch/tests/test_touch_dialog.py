@@ -87,7 +87,7 @@ def test_it_leads_through_all_cues_and_records_them(
     for _ in dialog.run.cues[touches:]:
         click(dialog.skip_button, qtbot)
     # the recording of a scripted engine contains no session, so it has no report
-    qtbot.waitUntil(lambda: "There is no report" in dialog.words.text(), timeout=PATIENCE_MS)
+    qtbot.waitUntil(lambda: "No report was written" in dialog.words.text(), timeout=PATIENCE_MS)
     assert window.host.recording.request is None and dialog.start_button.isVisible()
     (recorder,) = recorders
     events = [m for m in recorder.messages if isinstance(m, Event)]

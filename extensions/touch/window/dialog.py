@@ -238,8 +238,8 @@ class TouchDialog(QDialog):
         elif phase == TouchPhase.WAITING:
             self.words.setText(self.tr("Touch the crosses of the printed sheet"))
             self.how.setText(
-                self.tr("Lay the sheet before the camera, with your hand out of its view. The test "
-                        "takes about five minutes.")
+                self.tr("Lay the sheet in front of the camera, and keep your hand out of its view. "
+                        "The test takes about five minutes.")
             )  # fmt: skip
         self.held.setValue(round(100 * min(max(self.run.share, 0.0), 1.0)))
         self.progress.setMaximum(len(self.run.cues))
@@ -265,12 +265,12 @@ class TouchDialog(QDialog):
             self._tasks.run(title, touch_job(path), done=self._written, failed=self._failed)
 
     def _written(self, written: Written) -> None:
-        self.words.setText(self.tr("The report is written"))
+        self.words.setText(self.tr("The report is ready"))
         self.how.setText(written.line)
         QDesktopServices.openUrl(QUrl.fromLocalFile(str(written.page)))
 
     def _failed(self, why: str) -> None:
-        self.words.setText(self.tr("There is no report"))
+        self.words.setText(self.tr("No report was written"))
         self.how.setText(why)
 
     # --- the window

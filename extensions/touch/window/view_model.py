@@ -31,7 +31,7 @@ FINGER_WORDS = {"thumb": mark("thumb"), "index": mark("index finger"),
                 "middle": mark("middle finger")}  # fmt: skip
 HOW_WORDS = {
     "slow": mark("Approach slowly."),
-    "fast": mark("Approach fast."),
+    "fast": mark("Approach quickly."),
     "turned_left": mark("Turn the hand to the left."),
     "turned_right": mark("Turn the hand to the right."),
     "covered": mark("Hold a finger of the other hand over the back of the hand."),

@@ -132,7 +132,7 @@ TEXTS = {
         "the package, or run: echo on | sudo tee /sys/bus/usb/devices/*/power/control"
     ),
     "glove.wrong_baud": (
-        "Data arrive from the glove's port that cannot be decoded at {baud} baud. Choose another "
+        "The data from the glove's port cannot be decoded at {baud} baud. Choose another "
         "speed under Set-up, Glove, or write the firmware for this speed."
     ),
     "glove.unplugged": "The glove was unplugged ({why}). It is used again as soon as it returns.",
@@ -192,7 +192,7 @@ TEXTS = {
     "glove.imu_back": "IMU {imu} of the glove is responding again.",
     "glove.imu_stuck": (
         "IMU {imu} of the glove: axes that no longer change: {axes:list}. Restart the glove; if "
-        "they stay so, replace the IMU."
+        "this persists, replace the IMU."
     ),
     "imu_axes.few_rests": (
         "The recording has {rests} rests; at least {fewest} in different positions are needed. Lay "

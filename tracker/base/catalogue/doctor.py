@@ -14,7 +14,7 @@ TEXTS = {
     ),
     "doctor.reinstall": "The first start takes minutes. Reinstall the package to avoid this.",
     "doctor.load": "Other programs use {load_percent:.0f} % of all cores.",
-    "doctor.close_programs": "Close other programs before you track.",
+    "doctor.close_programs": "Close other programs before you start tracking.",
     "doctor.tracking_load": (
         "Tracking at {fps:.0f} images per second takes {share_percent:.0f} % of a core at the "
         "present load: {detection_percent:.0f} % for the images, {filter_percent:.0f} % for the "

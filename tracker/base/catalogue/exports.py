@@ -13,7 +13,7 @@ TEXTS = {
     ),
     "export.images": 'Images can be {known:or}, not "{value}".',
     "export.rate": "A rate of {rate_hz:g} Hz is not between {least_hz:g} and {most_hz:g} Hz.",
-    "export.every": "Images are every one or every n-th, not every {every}.",
+    "export.every": "--every must be at least 1, not {every}.",
     "export.views": 'Views can be {known:or}, not "{value}".',
     "export.axes": 'Axes can be {known:or}, not "{value}".',
     "export.joints": "Joints are either openxr or names of Glovetrack, not both.",

@@ -41,7 +41,7 @@ TEXTS = {
         "front of the other. They must be side by side."
     ),
     "stereo.angle_impossible": (
-        "The result has the cameras point {angle_deg:.0f} degrees apart. They must point "
+        "The result has an angle of {angle_deg:.0f} degrees between the cameras. They must point "
         "in the same direction."
     ),
     "stereo.focal_impossible": (

@@ -99,7 +99,9 @@ TEXTS = {
     "still.imu_silent": "is not responding",
     "still.imu_moves": "moves ({rate_dps:.1f} °/s)",
     "still.imu_biased": "turns, or its gyroscope is off by {bias_dps:.0f} °/s",
-    "still.imu_gravity": "measures {gravity:.1f} m/s² of gravity, so its accelerometer is off",
+    "still.imu_gravity": (
+        "measures {gravity:.1f} m/s² of gravity, so its accelerometer is inaccurate"
+    ),
     "still.imu": "{imu:word} {what}",
     "still.imus": "{imus:list}.",
     "wiggle.hand": (
@@ -111,10 +113,13 @@ TEXTS = {
     "wiggle.silent": "It did not respond in any step.",
     "wiggle.still": "It never moved. Check whether it is loose or broken.",
     "wiggle.unclear": "It moved in several steps. Repeat them.",
-    "wiggle.elsewhere": "It is on the {found:word}; the glove file has it on the {expected:word}.",
+    "wiggle.elsewhere": (
+        "It is on the {found:word}, but according to the glove file it belongs on the "
+        "{expected:word}."
+    ),
     "wiggle.turned": "It is in its position, but rotated by about {angle_deg:.0f}°. Remount it.",
-    "wiggle.right": "It is where the glove file has it.",
-    "wiggle.all_right": "Every IMU is where the glove file has it.",
+    "wiggle.right": "Its position matches the glove file.",
+    "wiggle.all_right": "The positions of all IMUs match the glove file.",
     "wiggle.exchanged": (
         "Exchanged: {first:word} and {second:word}. Exchange their plugs, or choose a "
         "glove file with that order."
