@@ -85,12 +85,13 @@ def test_axes_are_at_the_joints_along_their_segments(hand):
     hand.controls.boxes["axes"].click()
     scene = see(hand)
     i = models()[0].index["index_proximal"]
-    body, arrays = hand._hands[0].bodies._axes[3 * i], hand.view.scene  # its x
-    np.testing.assert_allclose(arrays.p_GB[body._row], scene.segment_p[i])
-    np.testing.assert_allclose(arrays.R_GB[body._row], scene.segment_R[i])
-    start, end = arrays.points[body._points]
+    rows, arrays = hand._hands[0].bodies._axes._rows, hand.view.scene
+    x = rows.start + i  # those of y and z follow all of x
+    np.testing.assert_allclose(arrays.p_GB[x], scene.segment_p[i])
+    np.testing.assert_allclose(arrays.R_GB[x], scene.segment_R[i])
+    start, end = arrays.points[arrays.ends[arrays.owner == x][0]]
     assert not start.any() and not end[1:].any() and end[0] > 0.01
-    assert all(b.shown for b in hand._hands[0].bodies._axes)
+    assert arrays.shown[rows].all()
 
 
 def test_the_reference_is_the_truth_or_another_engine(hand, engine):

@@ -64,7 +64,8 @@ def _crosses(window: MainWindow) -> int:
     """How many crosses the 3D view shows."""
     if not window.hand._hands or window.hand._hands[0].bodies is None:
         return 0
-    return sum(body.shown for body in window.hand._hands[0].bodies._points._crosses)
+    crosses = window.hand._hands[0].bodies._points._crosses
+    return int(window.hand.view.scene.shown[crosses._rows].sum())
 
 
 def test_a_session_without_a_reference_has_none(short: Path) -> None:
