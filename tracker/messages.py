@@ -11,6 +11,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import IntEnum
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -61,10 +62,18 @@ class _Frozen:
     """Makes every array field read-only when the message is built."""
 
     def __post_init__(self) -> None:
-        for name in self.__dataclass_fields__:  # type: ignore[attr-defined]
+        kind: Any = type(self)  # mypy does not know that classes are hashable
+        for name in _array_fields(kind):
             value = getattr(self, name)
             if isinstance(value, np.ndarray):
                 value.setflags(write=False)
+
+
+@cache
+def _array_fields(kind: type) -> tuple[str, ...]:
+    """Names of the fields that may be arrays, by their annotations."""
+    fields = kind.__dataclass_fields__  # type: ignore[attr-defined]
+    return tuple(name for name, its in fields.items() if "Array" in str(its.type))
 
 
 @record("imu_sample", shapes={"accel": "n 3", "gyro": "n 3", "valid": "bool n", "temperature": "n"})

@@ -15,11 +15,17 @@ from tracker.fusion.chain.params import NoiseParams
 from tracker.fusion.chain.propagate import rates_now
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.output.completion import ActiveSegments, Completion
-from tracker.fusion.output.motion import Rates, linked_rates, moving
-from tracker.fusion.output.output import INFERRED, MEASURED, HandOutput, Sensed
+from tracker.fusion.output.motion import Rates, linked_rates, motion_of
+from tracker.fusion.output.output import (
+    INFERRED,
+    MEASURED,
+    EstimateFields,
+    HandOutput,
+    Sensed,
+)
 from tracker.fusion.time.timeline import HAND_SPEED, behind_variance
 from tracker.geometry.kernels import cross3
-from tracker.messages import Array, Estimate, ImuSample, IntArray, Tracking
+from tracker.messages import Array, Estimate, ImuSample, IntArray, Motion, Tracking
 
 RATE_LASTS = 0.1  # s for which a gyroscope's error persists: mainly scale and moving cloth
 
@@ -60,9 +66,13 @@ class ShownHand:
         ahead = ahead_variance(past, self._layout, self._noise, max(t - past.t, 0.0))
         sure = self.confidence
         variance = sure.tip_sd**2 + ahead + behind_variance(state.t, t) + sure.doubt_variance(t)
-        estimate = self.estimate_of(state, t, sure.sensed(t, tracking), np.sqrt(variance))
-        estimate = mark_inferred(estimate, sure.saved.most_sd)
-        return estimate if packet is None else self._moving(estimate, state, past, packet)
+        active, sensed = self._active(state), sure.sensed(t, tracking)
+        found = self._output.fields(*active, sensed, np.sqrt(variance))
+        if found is None:
+            return self._output.nothing(t)
+        found = found._replace(state=inferred(found.state, found.sd, sure.saved.most_sd))
+        motion = None if packet is None else self._motion(t, found, active, state, past, packet)
+        return Estimate(t, tracking, *found, motion)
 
     def estimate_of(self, state: ChainState, t: float, sensed: Sensed, sd: Array) -> Estimate:
         """The hand of a nominal state; sd (A,) m are those of the segments' ends."""
@@ -72,21 +82,25 @@ class ShownHand:
     def _active(self, state: ChainState) -> ActiveSegments:
         return ActiveSegments(state.R_GB, segment_positions(state, self._layout), state.scale3())
 
-    def _moving(
-        self, estimate: Estimate, state: ChainState, past: ChainState, packet: ImuSample
-    ) -> Estimate:
-        """The estimate with the motion from the IMUs and the state's velocity."""
-        if estimate.tracking == Tracking.SEARCHING:
-            return estimate
-        lay, active = self._layout, self._active(state)
-        readings = packet.gyro.copy(), np.array(packet.valid, np.bool_)
-        v_sd, gyro_sd = self._velocity_sd(past, estimate.t), self._noise.gyro / RATE_LASTS**0.5
+    def _motion(
+        self,
+        t: float,
+        found: EstimateFields,
+        active: ActiveSegments,
+        state: ChainState,
+        past: ChainState,
+        packet: ImuSample,
+    ) -> Motion:
+        """The motion of the hand ``found`` at ``t`` from the IMUs and the state's velocity."""
+        lay = self._layout
+        v_sd, gyro_sd = self._velocity_sd(past, t), self._noise.gyro / RATE_LASTS**0.5
         w, w_sd, turn_sd = rates_now(
-            lay.drive, lay.blocks, state.R_GB, state.imus, past.P, *readings, gyro_sd
-        )
+            lay.drive, lay.blocks, state.R_GB, state.imus, past.P, packet.gyro, packet.valid,
+            gyro_sd,
+        )  # fmt: skip
         v = state.v + state.R_GB[0] @ cross3(w[0], state.R_GB[0].T @ (active.p[0] - state.p))
         rates = Rates(*linked_rates(lay.parent, active, v, w, v_sd, w_sd, turn_sd))
-        return moving(self._output, estimate, active, rates)
+        return motion_of(self._output, found, active, rates)
 
     def _velocity_sd(self, past: ChainState, t: float) -> float:
         """m/s per axis, of the root's IMU at ``t``, propagated from ``past``."""
@@ -133,8 +147,11 @@ def _mean_variance(P: Array, first: int) -> float:
 
 def mark_inferred(estimate: Estimate, most_sd: float = MEASURED_SD) -> Estimate:
     """Marks points with an sd above ``most_sd`` (m) as inferred, even if sensed recently."""
-    state = estimate.keypoint_state
-    unsure = (estimate.keypoint_sd > most_sd) & (state == MEASURED)
-    if not unsure.any():
-        return estimate
-    return replace(estimate, keypoint_state=np.where(unsure, INFERRED, state))
+    state = inferred(estimate.keypoint_state, estimate.keypoint_sd, most_sd)
+    return estimate if state is estimate.keypoint_state else replace(estimate, keypoint_state=state)
+
+
+def inferred(state: IntArray, sd: Array, most_sd: float) -> IntArray:
+    """``state`` (K,) with the points of an sd (K,) above ``most_sd``, m, marked as inferred."""
+    unsure = (sd > most_sd) & (state == MEASURED)
+    return np.where(unsure, INFERRED, state) if unsure.any() else state

@@ -8,7 +8,14 @@ from typing import NamedTuple
 import numpy as np
 
 from tracker.fusion.output.completion import ActiveSegments, HandTables, complete
-from tracker.fusion.output.output import Angles, HandOutput, Keypoints, keypoint_positions
+from tracker.fusion.output.output import (
+    Angles,
+    EstimateFields,
+    HandOutput,
+    Keypoints,
+    fields_of,
+    keypoint_positions,
+)
 from tracker.geometry.kernels import cross3, log3, mul3, rotate, rotate_all
 from tracker.kernels import kernel
 from tracker.kernels.arrays import IntVector, Matrix, Stack, Vector
@@ -48,10 +55,16 @@ def moving(
     """The estimate by ``output`` for ``active``, with its motion."""
     if estimate.tracking == Tracking.SEARCHING:
         return estimate
-    e = estimate
-    now = WholeHand(e.segment_R, e.segment_p, e.keypoints, e.angles)
+    return replace(estimate, motion=motion_of(output, fields_of(estimate), active, rates))
+
+
+def motion_of(
+    output: HandOutput, found: EstimateFields, active: ActiveSegments, rates: Rates
+) -> Motion:
+    """The motion of the hand ``found`` by ``output`` for ``active``."""
+    now = WholeHand(found.segment_R, found.segment_p, found.points, found.angles)
     tables = output.complete.tables, output.keypoints, output.angles
-    return replace(e, motion=Motion(*hand_motion(*tables, active, rates, now)))
+    return Motion(*hand_motion(*tables, active, rates, now))
 
 
 @kernel(nogil=False)

@@ -80,6 +80,28 @@ class Sensed:
     tracking: Tracking
 
 
+class EstimateFields(NamedTuple):
+    """Fields of an `Estimate` from ``keypoints`` on, in their order."""
+
+    points: Array
+    q: Array
+    state: IntArray
+    sd: Array
+    angles: Array
+    angle_state: IntArray
+    segment_R: Array
+    segment_p: Array
+
+
+def fields_of(estimate: Estimate) -> EstimateFields:
+    """The arrays of an estimate."""
+    e = estimate
+    return EstimateFields(
+        e.keypoints, e.keypoint_q, e.keypoint_state, e.keypoint_sd, e.angles, e.angle_state,
+        e.segment_R, e.segment_p,
+    )  # fmt: skip
+
+
 class HandOutput:
     """Builds estimates for one hand with one glove; `moving` adds the motion of the hand, from the
     same tables ``complete``, ``keypoints`` and ``angles``."""
@@ -120,15 +142,23 @@ class HandOutput:
         active_sd (A + d,) m is the standard deviation of each active segment's end, then of each
         driven one's.
         """
+        found = self.fields(R, p, scale3, sensed, active_sd)
+        return self.nothing(t) if found is None else Estimate(t, sensed.tracking, *found)
+
+    def fields(
+        self, R: Array, p: Array, scale3: Array, sensed: Sensed, active_sd: Array
+    ) -> EstimateFields | None:
+        """The arrays of `estimate`; None while the hand is searched for."""
         if sensed.tracking == Tracking.SEARCHING:
-            return self._nothing(t)
+            return None
         coasting = sensed.tracking == Tracking.COASTING
         lost = sensed.tracking == Tracking.LOST
-        points, q, state, sd, angles, angle_state, R_all, p_all = whole_hand(
-            self.complete.tables, self.keypoints, self.angles, ActiveSegments(R, p, scale3),
-            sensed.segments, active_sd, coasting, lost,
+        return EstimateFields(
+            *whole_hand(
+                self.complete.tables, self.keypoints, self.angles, ActiveSegments(R, p, scale3),
+                sensed.segments, active_sd, coasting, lost,
+            )
         )  # fmt: skip
-        return Estimate(t, sensed.tracking, points, q, state, sd, angles, angle_state, R_all, p_all)
 
     def _far_ends(self) -> IntArray:
         """(K,) parent of the segment whose base is the keypoint: measured if either is. -1:
@@ -170,7 +200,8 @@ class HandOutput:
             reached[:, c] = np.where(base[:, None] >= 0, points - p[base], 0.0)
         return base, bends, reached
 
-    def _nothing(self, t: float) -> Estimate:
+    def nothing(self, t: float) -> Estimate:
+        """The estimate while the hand is searched for."""
         hand, k = self._segments.hand, self._keypoint_count
         n, j = len(hand.segments), len(hand.joint_names)
         return Estimate(
