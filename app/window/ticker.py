@@ -1,7 +1,10 @@
 """The window's timer: it shows the latest data in the panels and the status bar.
 
 Tracking and window share a computer and Python's lock. When the computer is too slow, images are
-left out of tracking and lost, so the window is drawn less often first.
+left out of tracking and lost, so the window is drawn less often first. Painting gives way to
+messages while a consumer of the hand needs low latency, and with two hands: their messages take
+twice as long, and the more of the painting is compiled code, the more often the window asks for the
+lock again in the middle of one.
 """
 
 from __future__ import annotations
@@ -183,7 +186,8 @@ class Ticker(QObject):
         now = time.monotonic()
         setup, hurried = self._host.setup, self.is_waited_for()
         live = setup.live if setup is not None else None
-        PAINTING.to = live.engine.right_of_way if live is not None and hurried else None
+        gives_way = hurried or (setup is not None and bool(setup.others))
+        PAINTING.to = live.engine.right_of_way if live is not None and gives_way else None
         if not self._pace.is_due(now, time.thread_time(), hurried):
             return
         self.ticks += 1

@@ -39,10 +39,12 @@ def test_a_window_that_has_much_to_paint_leaves_the_processor_to_what_moves(wind
     assert share < LOW_LATENCY_SHARE + 0.15  # and the rest of the window
 
 
-def test_what_is_painted_gives_way_only_where_something_waits_for_the_hand(window, qtbot):
+def test_painting_gives_way_where_something_waits_for_the_hand_and_to_two_hands(window, qtbot):
     way = RightOfWay()
     host = SimpleNamespace(
-        setup=SimpleNamespace(live=SimpleNamespace(engine=SimpleNamespace(right_of_way=way))),
+        setup=SimpleNamespace(
+            live=SimpleNamespace(engine=SimpleNamespace(right_of_way=way)), others=()
+        ),
         snapshot=lambda: None,
         opened=window.host.opened,
         closed=window.host.closed,
@@ -58,6 +60,10 @@ def test_what_is_painted_gives_way_only_where_something_waits_for_the_hand(windo
         ticker.is_waited_for = lambda on=waited_for: on
         ticker._tick()
         assert (PAINTING.to is way) == waited_for
+    ticker.is_waited_for = lambda: False
+    host.setup.others = (object(),)
+    ticker._tick()
+    assert PAINTING.to is way
     host.setup = None
     ticker._tick()
     assert PAINTING.to is None
