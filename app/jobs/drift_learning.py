@@ -7,16 +7,13 @@ from PySide6.QtCore import QObject, QTimer
 
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
-from app.jobs.own_gloves import save_own
-from app.storage.own_gloves import own_path
+from app.jobs.own_gloves import own_model, save_own
 from app.storage.settings import SettingsStore
 from app.words import error_text
 from tracker.base.clock import monotonic
 from tracker.base.errors import GlovetrackError
 from tracker.base.notices import Notice, notice, warning
 from tracker.calibration.drift_learning import WarmthCollector, learn_drift
-from tracker.glove import library
-from tracker.glove.files import parse_glove
 from tracker.glove.imu_values import with_drift
 from tracker.glove.model import ImuDrift
 from tracker.messages import Event
@@ -105,7 +102,4 @@ class DriftLearner(QObject):
 
 def _known(hand: EngineSetup) -> dict[str, ImuDrift | None]:
     """What the glove's file contains now, which is newer than the one in use after a recording."""
-    glove = hand.connection
-    name = glove.own_file if own_path(glove.own_file).is_file() else glove.file
-    model = parse_glove(library.text("gloves", name), hand.hand, name)
-    return {imu.name: imu.drift for imu in model.imus}
+    return {imu.name: imu.drift for imu in own_model(hand).imus}

@@ -13,6 +13,19 @@ from app.storage.settings import SettingsStore
 from tracker.base.files import write_with_folder
 from tracker.glove import library
 from tracker.glove.files import parse_glove
+from tracker.glove.model import GloveModel, ImuVibration
+
+
+def own_model(setup: EngineSetup) -> GloveModel:
+    """The glove as its own file describes it now, which may be newer than the one in use."""
+    glove = setup.connection
+    name = glove.own_file if own_path(glove.own_file).is_file() else glove.file
+    return parse_glove(library.text("gloves", name), setup.hand, name)
+
+
+def own_vibration(setup: EngineSetup) -> dict[str, ImuVibration | None]:
+    """What the own file contains of the motors, by the names of the IMUs."""
+    return {imu.name: imu.vibration for imu in own_model(setup).imus}
 
 
 def save_own(store: SettingsStore, setup: EngineSetup, change: Callable[[str], str]) -> Path:

@@ -19,7 +19,7 @@ KINDS: dict[str, StateLook] = {
     "recording": StateLook(PURPLE, "●", mark("Recording")),
     "note": StateLook(GREY, "✎", mark("Notes")),
 }
-DEVICES = {"pulse", "motor", "robot"}
+DEVICES = {"pulse", "motor", "motor_run", "robot"}
 """Kinds of device events; kinds that are not listed belong to tracking."""
 
 

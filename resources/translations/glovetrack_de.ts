@@ -989,8 +989,8 @@
     </message>
     <message>
       <location filename="app/panels/devices/tree.py" />
-      <source>Run this motor for 0.3 s</source>
-      <translation>Diesen Motor 0,3 s laufen lassen</translation>
+      <source>Run this motor for 0.8 s and measure its vibration</source>
+      <translation>Diesen Motor 0,8 s laufen lassen und sein Vibrieren messen</translation>
     </message>
     <message>
       <location filename="app/panels/devices/tree.py" />
@@ -4308,6 +4308,16 @@ change {}: {}</source>
       <location filename="app/viewmodels/log.py" />
       <source>changed to: {}</source>
       <translation>geändert in: {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/motor_test.py" />
+      <source>Motor {} shakes the IMUs (standard deviation):</source>
+      <translation>Motor {} erschüttert die IMUs (Standardabweichung):</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/motor_test.py" />
+      <source>{}: {} g, {} °/s</source>
+      <translation>{}: {} g, {} °/s</translation>
     </message>
     <message>
       <location filename="app/viewmodels/names.py" />
@@ -10058,6 +10068,16 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>The recordings have no rest of three seconds. Lay the glove down at the beginning and at the end.</source>
       <translation>Die Aufnahmen enthalten keine Ruhe von drei Sekunden. Legen Sie den Handschuh am Anfang und am Ende ab.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Motor {motor} runs for {duration_ms} ms with amplitude {amplitude} of 255.</source>
+      <translation>Motor {motor} läuft {duration_ms} ms lang mit Amplitude {amplitude} von 255.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The noise of a vibration cannot be negative.</source>
+      <translation>Das Rauschen einer Vibration kann nicht negativ sein.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />

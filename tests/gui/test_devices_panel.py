@@ -5,8 +5,10 @@ from __future__ import annotations
 import dataclasses
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
+from app.storage.own_gloves import own_path
 from app.viewmodels.device_settings import AUTOMATIC, Confirmed, differences, to_file
 from tests.gui.gui_fakes import (
     ScriptedEngine,
@@ -15,7 +17,10 @@ from tests.gui.gui_fakes import (
     with_camera,
     with_glove,
 )
+from tracker import GRAVITY
 from tracker.base.toml_reader import parse_toml
+from tracker.glove.files import parse_glove
+from tracker.messages import ImuSample
 from tracker.sensors.camera_controls import CameraReport, Control, Locks
 from tracker.sensors.camera_fixed import FixedSetting
 from tracker.sensors.v4l2 import Limits
@@ -190,8 +195,32 @@ def test_a_value_out_of_its_limits_is_rejected(devices, camera):
 
 def test_motors_run_at_the_press_of_a_button(devices, glove):
     devices.tree.motor.emit("glove_right.motor_1")
-    assert glove.vibrated == [(1, 160, 300)]
+    assert glove.vibrated == [(1, 160, 800)]
     assert devices.tree.itemWidget(devices.tree.items["glove_right.motor_0"], 1) is not None
+
+
+def test_running_a_motor_measures_and_keeps_its_vibration(
+    devices, window, glove, tmp_path, monkeypatch
+):
+    """IMU 3 is shaken by 0.2 g; the amplitude is 160 of 255."""
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
+    setup = with_glove(window.host.setup, glove, file="vist-small", own_file="mine")
+    rng, packets = np.random.default_rng(1), []
+    monkeypatch.setattr(setup.tracked, "recent_imu", lambda: list(packets))
+    window.host._setup = setup
+    for k in range(200):
+        if k == 100:
+            devices.tree.motor.emit("glove_right.motor_1")
+        accel, gyro = rng.normal(0, 0.02, (7, 3)), rng.normal(0, 0.001, (7, 3))
+        accel[3] += 0.2 * GRAVITY * np.sin(1.1 * k) if k > 100 else 0.0
+        packets.append(ImuSample(k / 100, k / 100, k / 100, k, accel, gyro, np.ones(7, bool)))
+    devices.motors.evaluate()
+    words = devices.report.toPlainText().splitlines()
+    assert words[0].startswith("Motor 2") and words[1].startswith("index proximal: 0.1")
+    imus = parse_glove(own_path("mine").read_text(), setup.hand).imus
+    expected = 0.2 * GRAVITY / np.sqrt(2) * np.sqrt(0.01) * 255 / 160
+    assert imus[3].vibration.accel == pytest.approx([0.0, expected], rel=0.15)
+    assert imus[0].vibration.accel[1] < 0.1 * expected
 
 
 def test_a_search_filters_the_list(devices):

@@ -12,7 +12,8 @@ from tests.live.test_runner import Tape, sim
 from tracker.base.errors import ConfigError
 from tracker.engine.hands import Hands, Sided
 from tracker.engine.pipeline import SILENCE, Pipeline
-from tracker.live.inbox import DetectedFrame, EngineCommand, Inbox
+from tracker.glove.model import GloveModel, ImuVibration
+from tracker.live.inbox import DetectedFrame, EngineCommand, Inbox, MotorCommand
 from tracker.live.journal import Journal
 from tracker.live.loop import ArrivalOrder, LiveLoop
 from tracker.live.telemetry import Telemetry
@@ -27,6 +28,7 @@ from tracker.messages import (
     Tracking,
     Validity,
 )
+from tracker.sensors.motor_events import motor_event, motor_of
 from tracker.simulation.scenario import Simulation
 
 __all__ = ["sim"]  # a fixture
@@ -121,6 +123,41 @@ def test_a_recording_started_between_stamp_and_feeding_is_tracked_again_alike(si
     assert len(recorded) == len(again) > 50
     for a, b in zip(recorded, again, strict=True):
         np.testing.assert_array_equal(a.keypoints, b.keypoints)
+
+
+def test_commands_to_motors_are_recorded_and_tracked_again_alike(sim):
+    """The glove's file contains the noise of its motor."""
+    noise = ImuVibration(np.array([0.2]), np.array([2.0]))
+    imus = tuple(replace(imu, vibration=noise) for imu in sim.glove.imus)
+    glove, tape, clock = replace(sim.glove, imus=imus), Tape(), Clock()
+    hands = Hands({"right": lambda: Pipeline(sim.hand, glove, sim.rig)})
+    loop = LiveLoop(hands, Journal(clock), Telemetry(), clock)
+    loop.set_recorder(tape)
+    messages = messages_of(sim)
+    middle = next(i for i, m in enumerate(messages) if m.t > 0.9)
+    feed(loop, clock, messages[:middle])
+    loop.feed(MotorCommand(motor_event(0, 255, 300, clock.now), "right"))
+    feed(loop, clock, messages[middle:])
+    loop.set_recorder(None)
+    shaken, calm = (again(sim, glove, tape.messages, fed) for fed in (True, False))
+    for a, b in zip([m for m in tape.messages if isinstance(m, Estimate)], shaken, strict=True):
+        np.testing.assert_array_equal(a.keypoint_sd, b.keypoint_sd)
+    assert any(np.any(a.keypoint_sd != b.keypoint_sd) for a, b in zip(shaken, calm, strict=True))
+
+
+def again(sim: Simulation, glove: GloveModel, messages: list[Message], motors: bool):
+    """The estimates of a pipeline that is fed the recorded messages."""
+    pipeline, found = Pipeline(sim.hand, glove, sim.rig), []
+    fed = [m for m in messages if isinstance(m, ImuSample | BlobFrame)]
+    fed += [m for m in messages if isinstance(m, Event) and motors and motor_of(m)]
+    for m in sorted(fed, key=lambda m: (getattr(m, "t_arrival", m.t), isinstance(m, BlobFrame))):
+        if isinstance(m, ImuSample):
+            found.append(pipeline.feed_imu(m))
+        elif isinstance(m, BlobFrame):
+            pipeline.feed_frame(m)
+        else:
+            pipeline.feed_event(m)
+    return found
 
 
 def unplugged(messages: list, start: float, stop: float) -> list:

@@ -12,6 +12,7 @@ import pytest
 from tracker.messages import Event, ImuSample
 from tracker.sensors.glove_link import GloveLink
 from tracker.sensors.glove_port import GlovePort
+from tracker.sensors.motor_events import KIND as MOTOR
 from tracker.sensors.serial_line import UsbPort, is_suspended, serial_port
 from tracker.simulation.electric import ELECTRIC_FAULTS
 from tracker.simulation.glove_device import SimulatedGlove
@@ -85,7 +86,7 @@ def test_a_motor_that_restarts_a_simulated_glove_is_named() -> None:
         end = time.monotonic() + 20.0
         while "glove.reset_by_motor" not in codes and time.monotonic() < end:
             for item in link.poll(0.01):
-                if isinstance(item, Event):
+                if isinstance(item, Event) and item.kind != MOTOR:
                     codes.append(item.notice.code)
             if link.figures.packets > 120 and not codes:  # a HELLO sooner may be a late answer
                 link.vibrate(0, 200, 100)

@@ -11,6 +11,7 @@ from tracker.base.notices import Notice, Outbox, notice, warning
 from tracker.base.records import record
 from tracker.engine.ahead import Ahead, GloveOnHand
 from tracker.engine.kinds import build_engine, capabilities_of
+from tracker.engine.motor_noise import MotorNoise
 from tracker.engine.settings import Settings
 from tracker.fusion.chain.guided.events import guided_of
 from tracker.fusion.chain.pose_reset import is_reset
@@ -40,6 +41,7 @@ from tracker.online.pair_offset import PairOffset, PairOffsetSavedState
 from tracker.online.rig_alignment import RigAlignment, RigAlignmentSavedState
 from tracker.online.rig_watch import RigState, RigWatch
 from tracker.online.time_offset import TimeOffset
+from tracker.sensors.motor_events import motor_of
 from tracker.vision.crowding import MOST_BLOBS, BlobLimit
 from tracker.vision.lenses import check_lenses, through
 from tracker.vision.rig import StereoRig, ideal_rig
@@ -50,12 +52,12 @@ Most stalls of the computer or the USB line are shorter, and their packets still
 ABANDONED = warning("tracking.abandoned")
 
 
-@record("pipeline", shapes={"celsius": "n"})
+@record("pipeline", shapes={"celsius": "n", "motors": "m 3"})
 @dataclass(eq=False)
 class PipelineSavedState:
     """All of a pipeline that changes; ``engine`` is what its engine keeps, ``packet`` when (s) the
     last packet arrived, ``by_images`` whether the hand follows the images alone, ``celsius`` the
-    last temperatures of the IMUs, empty before the first."""
+    last temperatures of the IMUs, empty before the first, ``motors`` those that ran last."""
 
     engine: Any
     timing: FrameTimingSavedState
@@ -66,6 +68,7 @@ class PipelineSavedState:
     camera_motion: TimedPose | None = None
     celsius: Array = field(default_factory=lambda: np.empty(0))
     alignment: RigAlignmentSavedState = field(default_factory=RigAlignmentSavedState)
+    motors: Array = field(default_factory=lambda: np.empty((0, 3)))
 
 
 class Pipeline:
@@ -93,7 +96,7 @@ class Pipeline:
         self.engine = build_engine(hand, glove, rig, self.settings)
         self._uses_images = capabilities_of(self.settings.engine).images
         self.rig = rig = rig or ideal_rig()
-        self._imus = ImuCorrection(glove)
+        self._imus, self._motors = ImuCorrection(glove), MotorNoise(glove)
         self._watch = RigWatch(rig)
         self._camera, self._camera_motion = CameraTilt(rig.pose), CameraMotionEstimate()
         offset = TimeOffset(hand, glove, rig)
@@ -128,11 +131,17 @@ class Pipeline:
         sample = self._imus.corrected(sample)
         self._watch.packet(sample.t, sample.t_arrival)
         self._packet = sample.t_arrival
+        self._shake()
         self._follow_images(False)
         self.timing.packet(sample)
         estimate = self.engine.feed_imu(sample)
         self._collect()
         return estimate
+
+    def _shake(self) -> None:
+        """Raises the noise of the IMUs while motors run."""
+        if self._motors.is_known:
+            self.engine.set_vibration(*self._motors.at(self._packet))
 
     def feed_frame(self, frame: BlobFrame) -> None:
         """Feeds the blobs of an image; see `take_results`. Swapped images are not used."""
@@ -180,7 +189,11 @@ class Pipeline:
             self.source_notices.post(missing if on else notice("glove.packets_back", side=side))
 
     def feed_event(self, event: Event) -> None:
-        """Take an event: guided poses, which some engines learn from, and pose resets."""
+        """Take an event: guided poses, which some engines learn from, pose resets, and commands to
+        motors."""
+        if (motor := motor_of(event)) is not None:
+            self._motors.run(motor, event.t)
+            return
         if is_reset(event):
             unsupported = warning("pose_reset.not_supported", engine=self.settings.engine)
             self._notices.post(self.engine.reset_pose() or unsupported)
@@ -264,6 +277,7 @@ class Pipeline:
             self._camera_motion.last,
             self._imus.celsius,
             self.alignment.get_state(),
+            self._motors.running,
         )
 
     def set_state(self, state: PipelineSavedState) -> None:
@@ -276,6 +290,8 @@ class Pipeline:
         self._camera_motion.last = state.camera_motion
         self._imus.celsius = state.celsius
         self.alignment.set_state(state.alignment)
+        self._motors.running = state.motors
+        self._shake()
 
 
 def inferred(estimate: Estimate) -> Estimate:

@@ -83,6 +83,11 @@ class Engine(Protocol):
         engine that takes its position from images reports is that it ignores them."""
         return warning("wrist_pose.not_used")
 
+    def set_vibration(self, gyro: float, accel: float) -> None:
+        """From now on the IMUs have this noise in addition, rad/s/√Hz and m/s²/√Hz, since motors
+        run; an engine without a model of noise ignores it."""
+        return
+
     def reset_pose(self) -> Notice | None:
         """Align the joints with a flat hand that the wearer holds now. Returns a notice of the
         result; None for an engine without this function."""

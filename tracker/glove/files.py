@@ -10,7 +10,16 @@ import numpy as np
 from tracker.base.notices import notice
 from tracker.base.toml_reader import TomlTable, read_text, read_toml
 from tracker.geometry import so3
-from tracker.glove.model import GloveModel, Imu, ImuAxes, ImuDrift, ImuNoise, Keypoint, Marker
+from tracker.glove.model import (
+    GloveModel,
+    Imu,
+    ImuAxes,
+    ImuDrift,
+    ImuNoise,
+    ImuVibration,
+    Keypoint,
+    Marker,
+)
 from tracker.hand.model import HandModel
 from tracker.hand.names import KEYPOINTS
 
@@ -74,6 +83,7 @@ def _imu(t: TomlTable, hand: HandModel) -> Imu:
         noise=_noise(t.table("noise")) if t.has("noise") else None,
         drift=_drift(t.table("drift")) if t.has("drift") else None,
         axes=_axes(t.table("axes")) if t.has("axes") else None,
+        vibration=_vibration(t.table("vibration")) if t.has("vibration") else None,
     )
     t.finish()
     return imu
@@ -105,6 +115,15 @@ def _axes(t: TomlTable) -> ImuAxes:
             raise t.fail(name, notice("glove.file_axes", limit=LARGEST_AXIS_ERROR))
     t.finish()
     return axes
+
+
+def _vibration(t: TomlTable) -> ImuVibration:
+    motors = t.integer("motors")
+    vibration = ImuVibration(*(t.vector(f.name, motors, limit=10.0) for f in fields(ImuVibration)))
+    if motors and min(vibration.gyro.min(), vibration.accel.min()) < 0:
+        raise t.fail("gyro", notice("glove.file_vibration"))
+    t.finish()
+    return vibration
 
 
 def _marker(t: TomlTable, hand: HandModel) -> Marker:

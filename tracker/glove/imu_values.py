@@ -10,8 +10,9 @@ import numpy as np
 
 from tracker.base.errors import FileError
 from tracker.base.notices import notice
-from tracker.glove.model import ImuAxes, ImuDrift, ImuNoise
+from tracker.glove.model import ImuAxes, ImuDrift, ImuNoise, ImuVibration
 
+Values = ImuNoise | ImuDrift | ImuAxes | ImuVibration
 _TABLE = re.compile(r"^\s*\[")
 _IMU = re.compile(r"^\s*\[\[\s*imu\s*\]\]")
 _NAME = re.compile(r"""^\s*name\s*=\s*["'](.*?)["']""")
@@ -35,7 +36,12 @@ def with_axes(text: str, axes: Mapping[str, ImuAxes]) -> str:
     return _with(text, "axes", axes)
 
 
-def _with(text: str, key: str, values: Mapping[str, ImuNoise | ImuDrift | ImuAxes]) -> str:
+def with_vibration(text: str, vibration: Mapping[str, ImuVibration]) -> str:
+    """`with_noise` for the vibration of motors."""
+    return _with(text, "vibration", vibration)
+
+
+def _with(text: str, key: str, values: Mapping[str, Values]) -> str:
     out: list[str] = []
     own = re.compile(rf"^\s*{key}\s*=")
     left, in_imu, written = dict(values), False, False
@@ -54,8 +60,11 @@ def _with(text: str, key: str, values: Mapping[str, ImuNoise | ImuDrift | ImuAxe
     return "\n".join(out) + "\n"
 
 
-def _inline(values: ImuNoise | ImuDrift | ImuAxes) -> str:
-    return ", ".join(f"{f.name} = {_number(getattr(values, f.name))}" for f in fields(values))
+def _inline(values: Values) -> str:
+    count = [f"motors = {len(values.gyro)}"] if isinstance(values, ImuVibration) else []
+    return ", ".join(
+        [*count, *(f"{f.name} = {_number(getattr(values, f.name))}" for f in fields(values))]
+    )
 
 
 def _number(value: float | np.ndarray) -> str:

@@ -50,9 +50,18 @@ class ImuAxes:
 
 
 @dataclass(frozen=True, eq=False)
+class ImuVibration:
+    """Noise that each motor (m,) adds to an IMU at full amplitude: ``gyro`` rad/s/√Hz, ``accel``
+    m/s²/√Hz (`tracker.calibration.motor_vibration`)."""
+
+    gyro: Array
+    accel: Array
+
+
+@dataclass(frozen=True, eq=False)
 class Imu:
-    """``position`` (3,) m of I in B; ``R_BI`` (3, 3) the nominal mounting; ``noise``, ``drift`` and
-    ``axes`` if they were measured."""
+    """``position`` (3,) m of I in B; ``R_BI`` (3, 3) the nominal mounting; ``noise``, ``drift``,
+    ``axes`` and ``vibration`` if they were measured."""
 
     name: str
     segment: str
@@ -61,6 +70,7 @@ class Imu:
     noise: ImuNoise | None = None
     drift: ImuDrift | None = None
     axes: ImuAxes | None = None
+    vibration: ImuVibration | None = None
 
 
 @dataclass(frozen=True, eq=False)

@@ -18,7 +18,7 @@ from typing import TypeVar
 from tracker.base.channels import Closed
 from tracker.engine.hands import Sided
 from tracker.fusion.engine import Engine
-from tracker.messages import BlobFrame, StereoFrame, WristPose
+from tracker.messages import BlobFrame, Event, StereoFrame, WristPose
 
 T = TypeVar("T")
 SIZE = 4096  # 40 s of packets
@@ -63,7 +63,15 @@ class ResetCommand:
     side: str
 
 
-Command = EngineCommand | GuidedCommand | ResetCommand
+@dataclass(frozen=True, eq=False)
+class MotorCommand:
+    """A command to a motor of the glove; stamped when it is fed."""
+
+    event: Event
+    side: str
+
+
+Command = EngineCommand | GuidedCommand | ResetCommand | MotorCommand
 Queued = Sided | WristPose | Command
 Item = Queued | DetectedFrame
 

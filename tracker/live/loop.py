@@ -19,7 +19,14 @@ from tracker.engine.side_watch import ExchangeWatch
 from tracker.fusion.chain.guided.events import began, ended
 from tracker.fusion.chain.pose_reset import reset_event
 from tracker.live.hand import LiveHand, camera_figures
-from tracker.live.inbox import DetectedFrame, EngineCommand, GuidedCommand, Item, ResetCommand
+from tracker.live.inbox import (
+    DetectedFrame,
+    EngineCommand,
+    GuidedCommand,
+    Item,
+    MotorCommand,
+    ResetCommand,
+)
 from tracker.live.journal import Journal
 from tracker.live.load import LoadWatch
 from tracker.live.recording import Recorder, RecordingThread
@@ -150,6 +157,9 @@ class LiveLoop:
         elif isinstance(item, GuidedCommand):  # between the same two messages as in the recording
             with self._pipeline_lock:
                 self._request(_guided_event(item, self._order.mark()), item.side)
+        elif isinstance(item, MotorCommand):
+            with self._pipeline_lock:
+                self._feed_motor(item)
         elif isinstance(item, ResetCommand):
             with self._pipeline_lock:
                 self._request(reset_event(self._order.mark()), item.side)
@@ -224,6 +234,14 @@ class LiveLoop:
         if len(self.seen) > 1:
             event = replace(event, data={**event.data, "hand": side})
         self.journal.add(event)
+        self.hands.feed_event(event)
+
+    def _feed_motor(self, command: MotorCommand) -> None:
+        """Without an entry in the log: a contact runs a motor 20 times a second."""
+        event = replace(command.event, t=self._order.mark())
+        if len(self.seen) > 1:
+            event = replace(event, data={**event.data, "hand": command.side})
+        self.journal.record(event)
         self.hands.feed_event(event)
 
     def _process_results(self) -> None:

@@ -13,10 +13,11 @@ from tracker.base.errors import GlovetrackError
 from tracker.base.notices import Notice, failure, notice, plain
 from tracker.base.urgency import run_soon
 from tracker.engine.hands import Sided
-from tracker.live.inbox import Inbox
+from tracker.live.inbox import Inbox, MotorCommand
 from tracker.live.journal import Journal
 from tracker.live.telemetry import Telemetry
 from tracker.messages import Event, StereoFrame
+from tracker.sensors.motor_events import KIND as MOTOR
 from tracker.sensors.sources import CameraSource, GloveSource, ReportingGlove
 
 WAIT = 0.05  # s that a step waits for its device
@@ -37,7 +38,9 @@ class GloveReader:
     def step(self) -> None:
         """Passes on what has arrived."""
         for item in self._glove.poll(WAIT):
-            if isinstance(item, Event):
+            if isinstance(item, Event) and item.kind == MOTOR:
+                self._inbox.put(MotorCommand(item, self._side))
+            elif isinstance(item, Event):
                 self._journal.add(self._of_side(item) if self._named else item)
             else:
                 self._inbox.put(Sided(item, self._side))

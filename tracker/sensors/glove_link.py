@@ -37,6 +37,7 @@ from tracker.sensors.link_faults import (
 )
 from tracker.sensors.link_figures import Announcements, LinkFigures, LowBattery
 from tracker.sensors.link_params import LinkParams, LinkState, rates_at
+from tracker.sensors.motor_events import motor_event
 from tracker.sensors.packet_clock import SEQ_BITS, PacketClock
 from tracker.sensors.protocol import (
     BITS_PER_BYTE,
@@ -134,7 +135,11 @@ class GloveLink:
             if self._port is not None:
                 if amplitude and duration_ms:
                     self._faults.motor_started(self._clock())
-                return write_now(self._port, encode(Haptic(channel, amplitude, duration_ms)))
+                sent = write_now(self._port, encode(Haptic(channel, amplitude, duration_ms)))
+                if sent:
+                    run = motor_event(channel, amplitude, duration_ms, self._clock())
+                    self._events.add(run)
+                return sent
         except (serial.SerialException, OSError) as error:
             self._write_error = error
         finally:

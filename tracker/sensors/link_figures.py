@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
@@ -60,11 +61,12 @@ class LinkFigures:
 
 
 class Announcements:
-    """Events of the link until they are drained. ``clock`` gives s. For the thread that polls."""
+    """Events of the link until they are drained. ``clock`` gives s. For the thread that polls, but
+    any may `add`."""
 
     def __init__(self, clock: Callable[[], float]) -> None:
         self._clock = clock
-        self._events: list[Event] = []
+        self._events: deque[Event] = deque()
         self.topics: set[str] = set()
         """Topics that `once` has reported."""
 
@@ -85,8 +87,7 @@ class Announcements:
 
     def drain(self) -> list[Event]:
         """The events since the last call, oldest first."""
-        events, self._events = self._events, []
-        return events
+        return [self._events.popleft() for _ in range(len(self._events))]
 
 
 class LowBattery:

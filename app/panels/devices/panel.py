@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.jobs.device_changes import apply_changes, read_settings, save_settings
+from app.jobs.motor_test import MotorTest
 from app.panels.devices.tree import DeviceTree
 from app.panels.panel import Panel
 from app.storage.settings import SettingsStore
@@ -34,7 +35,6 @@ from app.widgets.one_line import OneLine
 from app.words import error_text
 from tracker.base.errors import GlovetrackError
 
-MOTOR_AMPLITUDE, MOTOR_MS = 160, 300
 REPORT_HEIGHT = 90  # px
 
 
@@ -48,6 +48,7 @@ class DevicesPanel(Panel):
     ) -> None:
         super().__init__(host, parent)
         self._store = store
+        self.motors = MotorTest(host, store, self)
         self.values: dict[str, DeviceValue] = {}
         self.edits: dict[str, Value] = {}  # changes that have not been applied
         self._asked: dict[str, Value] = {}  # changes that have been applied
@@ -79,6 +80,7 @@ class DevicesPanel(Panel):
         self.search.textChanged.connect(self.tree.search)
         self.tree.edited.connect(self.edit)
         self.tree.motor.connect(self._run_motor)
+        self.motors.measured.connect(self._show_report)
         self.apply.clicked.connect(self.apply_edits)
         self.revert.clicked.connect(self.revert_edits)
         self.save.clicked.connect(self._ask_save)
@@ -157,11 +159,7 @@ class DevicesPanel(Panel):
 
     def _run_motor(self, key: str) -> None:
         side, channel = motor_of(key)
-        setup = self.host.setup.seen_from(side) if self.host.setup is not None else None
-        glove = setup.connection.device if setup is not None else None
-        if glove is None:
-            return
-        if not glove.vibrate(channel, MOTOR_AMPLITUDE, MOTOR_MS):
+        if not self.motors.run(side, channel):
             self._show_report(self.tr("The motor was not run: the glove is disconnected."))
 
     # --- files

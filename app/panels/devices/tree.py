@@ -64,7 +64,7 @@ class DeviceTree(QTreeWidget):
                 self.setItemWidget(item, VALUE, self._field(value))
             elif is_motor(value):
                 button = QPushButton(self.tr("Run"))
-                button.setToolTip(self.tr("Run this motor for 0.3 s"))
+                button.setToolTip(self.tr("Run this motor for 0.8 s and measure its vibration"))
                 button.clicked.connect(lambda _on=False, key=value.key: self.motor.emit(key))
                 self.setItemWidget(item, VALUE, button)
         for path, branch in branches.items():

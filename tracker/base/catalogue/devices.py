@@ -206,6 +206,10 @@ TEXTS = {
         "The recordings have no rest of three seconds. Lay the glove down at the beginning and "
         "at the end."
     ),
+    "glove.motor_run": (
+        "Motor {motor} runs for {duration_ms} ms with amplitude {amplitude} of 255."
+    ),
+    "glove.file_vibration": "The noise of a vibration cannot be negative.",
     "imu_drift.learned": (
         "Glove {glove}: the change of the biases with the temperature was learned for {imus} IMUs; "
         "its uncertainty fell from {before:.3f} to {after:.3f} °/s per °C. {file} contains the "

@@ -121,6 +121,10 @@ class ChainEngine(Engine):
         """Queue an image; it is processed once IMU data cover its exposure."""
         self._timeline.feed_frame(frame)
 
+    def set_vibration(self, gyro: float, accel: float) -> None:
+        """Raises the noise of the IMUs."""
+        self._tracker.filter.set_vibration(gyro, accel)
+
     def reset_pose(self) -> Notice:
         """Aligns the joints with a hand that the wearer holds flat, the fingers straight ahead, and
         the heading where no camera measures it. Returns a notice of the result."""

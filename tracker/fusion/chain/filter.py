@@ -6,6 +6,7 @@ are those of docs/chain.md.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -51,7 +52,8 @@ class ChainFilter:
         self, layout: ChainLayout, params: ChainParams, buffer: ImuBuffer, tape: Tape | None = None
     ) -> None:
         self._layout, self._params, self._buffer, self._tape = layout, params, buffer, tape
-        self._held_params = without_random_walks(params)
+        self._shaken, self._held_shaken = params, without_random_walks(params)
+        self._vibration = (0.0, 0.0)
         self._constraints = Constraints(layout, params.constraint)
         with_image = replace(params.constraint, rotation=params.constraint.rotation_seen)
         self._constraints_seen = Constraints(layout, with_image)
@@ -66,6 +68,18 @@ class ChainFilter:
 
     # ---- propagation
 
+    def set_vibration(self, gyro: float, accel: float) -> None:
+        """From now on the IMUs have this noise in addition, rad/s/√Hz and m/s²/√Hz."""
+        if (gyro, accel) == self._vibration:
+            return
+        self._vibration = (gyro, accel)
+        noise = self._params.noise
+        larger = replace(
+            noise, gyro=math.hypot(noise.gyro, gyro), accel=math.hypot(noise.accel, accel)
+        )
+        self._shaken = replace(self._params, noise=larger)
+        self._held_shaken = without_random_walks(self._shaken)
+
     def step(self, way: Intervals, first: int, last_good: float, held: bool) -> int:
         """Processes the interval ``first`` of ``way`` and the next ones until tilt is due; returns
         the number of the next interval.
@@ -73,7 +87,7 @@ class ChainFilter:
         ``last_good`` s is the time of the last image with enough matches; ``held``: the calibration
         is frozen.
         """
-        params = self._held_params if held else self._params
+        params = self._held_shaken if held else self._shaken
         end = self._step_end(way, first)
         if self._tape is not None:
             dt = float(way.stop[first] - way.start[first])
