@@ -70,6 +70,7 @@ openxr-layer: $(READY)
 
 screenshots: $(READY_FOR_TESTS)
 	$(OFFSCREEN) $(BIN)/python -m app.tools.screenshots --out docs/screenshots
+	$(OFFSCREEN) $(BIN)/python -m app.tools.animation --out docs/screenshots/tracking.gif
 	$(BIN)/python -m extensions.sheets.pictures --out docs/screenshots
 
 translations: $(READY)
