@@ -7,10 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings, recorded_settings_from
-from tracker.messages import Array, BlobFrame, Blobs, FrameResult, Tracking
+from tracker.messages import Array, BlobFrame, Blobs, FrameResult, ImuSample, Tracking
 from tracker.online.rig_alignment import AlignmentParams, RigAlignment
+from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.rig_errors import RigErrorParams, true_camera, with_lenses
+from tracker.simulation.scenario import Simulation, SimulationParams
 from tracker.vision.lenses import with_one_camera
 from tracker.vision.rig import StereoRig, ideal_rig
 
@@ -69,6 +72,25 @@ def test_a_turned_camera_is_measured_reported_once_and_corrected() -> None:
     assert [n.code for n in alignment.notices.drain()] == ["camera.calibrate_again"]
 
 
+def test_a_large_shift_is_reported_by_one_notice_until_it_is_gone(hand, glove) -> None:
+    """The row watch and the alignment both measure it."""
+    motion = RandomPostures(hand, 7, duration=5.0)
+    params = SimulationParams(rig_errors=RigErrorParams(pitch_px=5.0))
+    sim = Simulation(hand, glove, motion, 7, params, fps=30)
+    pipeline = Pipeline(hand, glove, sim.rig)
+    for message in sim.feed():
+        if isinstance(message, ImuSample):
+            pipeline.feed_imu(message)
+        else:
+            pipeline.feed_frame(message)
+    codes = [n.code for n in pipeline.drain_notices()]
+    assert len({"camera.lens_moved", "camera.calibrate_again"} & set(codes)) == len(codes) == 1
+    alignment, rig = pipeline.alignment, sim.rig
+    alignment.reported = 5.0
+    fed(alignment, frames(rig, RigErrorParams(), 4.0, 20.0))
+    assert alignment.reported == 0.0, "the next shift is a new one"
+
+
 def test_the_rest_of_a_board_calibration_is_not_reported() -> None:
     """An exact calibration does not change images by a single bit."""
     rig = ideal_rig()
@@ -118,6 +140,8 @@ def test_a_saved_state_resumes_identically() -> None:
     fed(second, images[50:])
     assert np.array_equal(second.rotation, whole.rotation)
     assert np.array_equal(second.applied, whole.applied)
+    assert second.reported == whole.reported > 0.0
+    assert second.notices.drain() == [], "it was reported before"
 
 
 def test_one_camera_or_the_setting_leaves_images_alone() -> None:

@@ -52,9 +52,9 @@ def test_undetected_errors_fail_the_drill(monkeypatch: pytest.MonkeyPatch) -> No
     """Without the watch, and without the alignment that learns the rows of the right image, a
     swapped or moved camera is not detected, and the drill reports it."""
     alignment = "tracker.online.rig_alignment.RigAlignment"
-    monkeypatch.setattr(f"{alignment}.learn", lambda self, result: None)
+    monkeypatch.setattr(f"{alignment}.learn", lambda self, result, is_known: None)
     monkeypatch.setattr(f"{alignment}.start_from", lambda self, shift: None)
-    monkeypatch.setattr("tracker.online.rig_watch.RigWatch.usable", lambda self, frame: True)
+    monkeypatch.setattr("tracker.online.rig_watch.RigWatch.usable", lambda self, frame, px: True)
     monkeypatch.setattr("tracker.online.rig_watch.RigWatch.check", lambda self, result: None)
     lasting = DrillParams(fps=15.0, shortest=0.7, longest=0.8)
     report = drill(2, seed=2, params=lasting, kinds=("lens up", "swapped"))

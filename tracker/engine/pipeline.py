@@ -156,7 +156,7 @@ class Pipeline:
         self.pair_offset.remember(frame)
         self.alignment.remember(frame)
         frame = self.ahead.synchronised(frame)
-        if self._watch.usable(frame):
+        if self._watch.usable(frame, self.alignment.reported):
             self.alignment.start_from(self._watch.shift)
             frame = self.timing.corrected(self.alignment.aligned(frame))
             frame = self._camera.posed(frame)
@@ -235,7 +235,7 @@ class Pipeline:
             restored = self.timing.restored(result)
             self.pair_offset.learn(restored)
             restored = self.alignment.restored(restored)
-            self.alignment.learn(restored)
+            self.alignment.learn(restored, self._watch.state.moved)
             self._results.append(restored)
 
     def take_results(self) -> list[FrameResult]:

@@ -57,7 +57,7 @@ class AlignmentParams:
 class RigAlignmentSavedState:
     """The saved state: rotation r (3,) rad with its covariance P (3, 3), the time (s) of the image
     used last, the applied correction, the number of contradicting images, row
-    shifts (px) before the first match, and pending images."""
+    shifts (px) before the first match, pending images, and the offset (px) that was reported."""
 
     r: Array = field(default_factory=lambda: np.zeros(3))
     P: Array = field(default_factory=lambda: np.zeros((0, 0)))
@@ -66,6 +66,7 @@ class RigAlignmentSavedState:
     contradicted: int = 0
     shifts: list[float] = field(default_factory=list)
     under_way: list[BlobFrame] = field(default_factory=list)
+    reported: float = 0.0
 
 
 class RigAlignment:
@@ -75,11 +76,13 @@ class RigAlignment:
         self._rig, self._params = rig, params or AlignmentParams()
         self._scale = rig.fx / 640.0
         self._r, self._P = np.zeros(3), self._prior()
-        self._last, self._contradicted, self._reported = -np.inf, 0, False
+        self._last, self._contradicted = -np.inf, 0
         self._shifts: list[float] = []
         self._under_way: deque[BlobFrame] = deque(maxlen=WAITING)
         self.applied: Array = np.zeros(3)
         """(3,) rad: the right camera's rotation for which images are corrected."""
+        self.reported = 0.0
+        """px, the vertical offset that was reported; 0 if none was."""
         self.notices = Outbox()
 
     @property
@@ -146,8 +149,9 @@ class RigAlignment:
             uv[seen] = camera.unrectify(self._turned(camera.rectify(uv[seen]), -1.0))
         return replace(result, predicted_right=uv)
 
-    def learn(self, result: FrameResult) -> None:
-        """Evaluates an image's markers."""
+    def learn(self, result: FrameResult, is_known: bool = False) -> None:
+        """Evaluates an image's markers. With ``is_known``, the rig watch has reported the offset,
+        which is not reported again."""
         while self._under_way and self._under_way[0].t < result.t:
             self._under_way.popleft()
         if not self._under_way or self._under_way[0].t != result.t:
@@ -165,6 +169,7 @@ class RigAlignment:
         usual = np.isfinite(e) & (np.abs(e - np.nanmedian(e)) < p.outlier_px * self._scale)
         if np.count_nonzero(usual) >= p.markers:
             self._take(frame.t, self._rows(self._directions(right[usual])), e[usual])
+            self._decide(is_known)
 
     def _take(self, t: float, H: Array, e: Array) -> None:
         """Updates with one image: rows H (n, 3) px/rad and offsets e (n,) px."""
@@ -182,9 +187,8 @@ class RigAlignment:
         self._r = self._r + K @ r
         self._P = self._P - K @ H @ self._P
         self._P = (self._P + self._P.T) / 2
-        self._decide()
 
-    def _decide(self) -> None:
+    def _decide(self, is_known: bool) -> None:
         """Whether images are corrected, and whether it is time to calibrate again."""
         p, (offset, sd) = self._params, self.offset_px
         if not p.apply:
@@ -192,8 +196,12 @@ class RigAlignment:
         clear = offset > max(p.worth_px * self._scale, p.clear * sd)
         if clear or self.applied.any():
             self.applied = self._r.copy()
-        if not self._reported and offset - 2 * sd > p.recalibrate_px * self._scale:
-            self._reported = True
+        limit = p.recalibrate_px * self._scale
+        if offset + 2 * sd < limit:
+            self.reported = 0.0
+        is_due = offset - 2 * sd > limit
+        if is_due and not is_known and self.reported == 0.0:
+            self.reported = offset
             self.notices.post(warning("camera.calibrate_again", apart_px=offset))
 
     def _prior(self) -> Array:
@@ -217,7 +225,7 @@ class RigAlignment:
         """The state to save."""
         return RigAlignmentSavedState(
             self._r.copy(), self._P.copy(), float(self._last), self.applied.copy(),
-            self._contradicted, list(self._shifts), list(self._under_way),
+            self._contradicted, list(self._shifts), list(self._under_way), self.reported,
         )  # fmt: skip
 
     def set_state(self, state: RigAlignmentSavedState) -> None:
@@ -225,5 +233,5 @@ class RigAlignment:
         self._r, self.applied = state.r.copy(), state.applied.copy()
         self._P = state.P.copy() if state.P.size else self._prior()
         self._last, self._contradicted = state.last, state.contradicted
-        self._shifts = list(state.shifts)
+        self._shifts, self.reported = list(state.shifts), state.reported
         self._under_way = deque(state.under_way, maxlen=WAITING)

@@ -75,8 +75,10 @@ class RigWatch:
         """px by which the rows of the left image exceed those of the right one in the last image;
         NaN if pairs do not agree."""
 
-    def usable(self, frame: BlobFrame) -> bool:
-        """Whether this image is not swapped, judged by this image alone."""
+    def usable(self, frame: BlobFrame, reported_px: float = 0.0) -> bool:
+        """Whether this image is not swapped, judged by this image alone. A row shift that is
+        explained by ``reported_px``, the offset reported by the rig alignment, is not reported
+        again."""
         self._jumps.image(frame.t, frame.t_arrival)
         self.shift = float("nan")
         if frame.left is None or frame.right is None:
@@ -87,7 +89,7 @@ class RigWatch:
         self._note_order(swapped, right >= p.votes and right > wrong)
         if not swapped and right >= p.votes and right > p.clear * others:
             self.shift = shift
-            self._note_shift(shift)
+            self._note_shift(shift, reported_px)
         return not swapped
 
     def packet(self, t: float, t_arrival: float) -> None:
@@ -117,7 +119,7 @@ class RigWatch:
             self._set(swapped=False)
             self.notices.post(notice("camera.in_order"))
 
-    def _note_shift(self, shift: float) -> None:
+    def _note_shift(self, shift: float, reported_px: float) -> None:
         """The median over images that show one row shift clearly."""
         p = self._params
         self._shifts.append(shift)
@@ -125,11 +127,12 @@ class RigWatch:
             return
         shift = median(self._shifts)
         limit = p.shift_px * self._scale * (0.6 if self.state.moved else 1.0)
-        self._say_moved(abs(shift) > limit, shift)
+        is_new = abs(shift) - reported_px > p.shift_px * self._scale
+        self._report_moved(abs(shift) > limit, shift, is_new)
         self._set(row_shift_px=shift, moved=abs(shift) > limit)
 
-    def _say_moved(self, moved: bool, shift: float) -> None:
-        if moved and not self.state.moved:
+    def _report_moved(self, moved: bool, shift: float, is_new: bool) -> None:
+        if moved and is_new and not self.state.moved:
             self.notices.post(warning("camera.lens_moved", apart_px=abs(shift)))
         elif self.state.moved and not moved:
             self.notices.post(notice("camera.fits_again"))
