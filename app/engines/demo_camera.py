@@ -40,14 +40,15 @@ LENSES = ("both", "one", "none")
 @dataclass(frozen=True)
 class DemoChoice:
     """Images per second of the simulated camera, the hands in view (of `HANDS`), the motion of one
-    hand (see `DemoSpec.motion`), the lenses of the camera (of `LENSES`), and the scene behind one
-    hand (of `SCENES`)."""
+    hand (see `DemoSpec.motion`), the lenses of the camera (of `LENSES`), the scene behind one hand
+    (of `SCENES`), and the errors of the camera (see `errors_named`)."""
 
     fps: float = FPS
     hands: str = "right"
     motion: str = ""
     lenses: str = "both"
     scene: str = "auto"
+    camera_errors: str = "all"
 
     def has_desk(self, cores: int) -> bool:
         """Whether the hand is over a desk; ``cores`` of this computer decide for "auto"."""
@@ -66,7 +67,11 @@ class DemoChoice:
 
 
 def demo_spec(seed: int = SEED, choice: DemoChoice | None = None) -> DemoSpec:
-    """Returns the specification of the simulated wearers and the camera."""
+    """Returns the specification of the simulated wearers and the camera.
+
+    Raises ConfigError for errors of the camera that do not exist.
+    """
+    from tracker.simulation.camera_errors import errors_named
     from tracker.simulation.demo import TABLE, DemoSpec, HandTexts  # deferred: the simulator
     from tracker.simulation.two_hands import hand_seed  # deferred, too
 
@@ -88,6 +93,7 @@ def demo_spec(seed: int = SEED, choice: DemoChoice | None = None) -> DemoSpec:
         scene=choice.scene if choice.scene in OTHER_SCENES and choice.hands != "both" else "",
         others=tuple(texts[1:]),
         one_camera=choice.lenses != "both",
+        camera_errors=errors_named(choice.camera_errors, choice.lenses != "both"),
         table=0.0 if choice.uses_application else TABLE,
     )
 

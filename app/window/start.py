@@ -79,6 +79,10 @@ def _check(options: WindowOptions) -> None:
     """Raises GlovetrackError for options that cannot be used."""
     _streams(options)
     with_doors(ConnectionSettings(), options.remote, options.remote_host)
+    if options.camera_errors != "all":
+        from tracker.simulation.camera_errors import errors_named  # deferred: the simulator
+
+        errors_named(options.camera_errors)
     if options.wearer is not None:
         read_text(options.wearer)
     if options.at is not None and options.session is None:
@@ -172,7 +176,14 @@ def _show(
 
 
 def _demo(options: WindowOptions) -> DemoChoice:
-    return DemoChoice(options.fps, options.hands, options.motion, options.lenses, options.scene)
+    return DemoChoice(
+        options.fps,
+        options.hands,
+        options.motion,
+        options.lenses,
+        options.scene,
+        options.camera_errors,
+    )
 
 
 def close_on_signals(window: QWidget) -> None:

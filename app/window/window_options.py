@@ -76,6 +76,14 @@ class WindowOptions:
         default="both",
         metadata=argument("lenses of the simulated camera, or none for no camera", choices=LENSES),
     )
+    camera_errors: str = field(
+        default="all",
+        metadata=argument(
+            "errors of the simulated camera, all (default), none, or a list of lenses, "
+            "calibration, shutter, stamps and flicker",
+            metavar="LIST",
+        ),
+    )
     scene: str = field(
         default="auto",
         metadata=argument(

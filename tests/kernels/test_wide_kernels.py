@@ -13,7 +13,7 @@ import pytest
 
 from tracker.glove.library import texts
 from tracker.kernels import library, parts
-from tracker.simulation import render
+from tracker.simulation import flicker, render
 from tracker.simulation.demo import DemoSpec, build
 from tracker.vision import search
 from tracker.vision.colours import ColourProfile, HueRange
@@ -27,6 +27,7 @@ DRAWN = (
     (render, "draw"),
     (render, "shade"),
     (render, "develop"),
+    (flicker, "brightened"),
     (search, "find_regions"),
 )
 FAST = ("tracker.simulation.raster.draw", "tracker.simulation.shading.shade")

@@ -93,17 +93,26 @@ class SimulateOptions:
         ),
     )
     """s"""
-    readout: float = field(
-        default=0.0,
+    readout: float | None = field(
+        default=None,
         metadata=argument(
-            "rolling shutter: time from the first row's exposure to the last one's (default: 0, "
-            "all rows at once)",
+            "rolling shutter: time from the first row's exposure to the last one's, 0 for all rows "
+            "at once (default: 11, with one lens 18)",
             "--readout-ms",
             type=thousandths,
             metavar="MS",
         ),
     )
     """s"""
+    camera_errors: str = field(
+        default="all",
+        metadata=argument(
+            "errors of the camera, all (default), none or a list: lenses (distortion), calibration "
+            "(0.3 px, baseline 0.3 percent), shutter (rolling), stamps (jitter of 0.5 ms, with one "
+            "lens 4 ms), flicker (of lamps)",
+            metavar="LIST",
+        ),
+    )
     lenses: str = field(
         default="both",
         metadata=argument(

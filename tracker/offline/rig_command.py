@@ -46,6 +46,13 @@ def _add_rig(parser: argparse.ArgumentParser) -> None:
         help="with --lenses apart: delay of the right camera's exposure",
     )
     parser.add_argument(
+        "--camera-errors",
+        default="all",
+        metavar="LIST",
+        help="errors of the camera, all (default), none, or a list of lenses, calibration, "
+        "shutter, stamps and flicker",
+    )
+    parser.add_argument(
         "--board", action="store_true", help="start with a calibration board in front of the camera"
     )
     parser.add_argument(
@@ -98,6 +105,7 @@ def _rig(args: argparse.Namespace) -> int:
 def _spec(args: argparse.Namespace) -> DemoSpec:
     from tracker.glove import library
     from tracker.offline.simulate import GLOVES
+    from tracker.simulation.camera_errors import errors_named
     from tracker.simulation.demo import DemoSpec, HandTexts
 
     sides = ("right", "left") if args.hands == "both" else (args.hands,)
@@ -110,6 +118,7 @@ def _spec(args: argparse.Namespace) -> DemoSpec:
         others=tuple(others),
         one_camera=args.lenses == "one",
         right_late=args.right_late_ms / 1000 if args.lenses == "apart" else 0.0,
+        camera_errors=errors_named(args.camera_errors, args.lenses == "one"),
     )
 
 
@@ -144,19 +153,9 @@ def _save(path: Path, text: str, force: bool) -> None:
 
 
 def _calibration(rig: StereoRig) -> str:
-    import numpy as np
+    from tracker.calibration.stereo.files import rig_text
 
-    from tracker.calibration.stereo.files import calibration_text
-    from tracker.sensors.stereo_calibration import Intrinsics
-
-    left, right = (
-        Intrinsics(c.width, c.height, c.K, c.D, c.fisheye) for c in (rig.left, rig.right)
-    )
-    note = "of the simulated camera"
-    if rig.one_camera:
-        return calibration_text(left, note=note, line_time=rig.line_time)
-    T = np.array([-rig.baseline, 0.0, 0.0])
-    return calibration_text(left, right, np.eye(3), T, note, rig.line_time)
+    return rig_text(rig, "of the simulated camera")
 
 
 RIG = Command(

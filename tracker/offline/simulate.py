@@ -20,6 +20,7 @@ from tracker.messages import Estimate, ImuSample, StereoFrame, Tracking, Validit
 from tracker.offline.options import SimulateOptions
 from tracker.session.description import SessionInfo, describe
 from tracker.session.writer import RecorderParams, new_session
+from tracker.simulation.camera_errors import CameraErrors, errors_named
 from tracker.simulation.guided import HELD_BADLY, GuidedPoses, HoldParams, with_events
 from tracker.simulation.head import MOVING, HeadParams
 from tracker.simulation.motion import Motion
@@ -31,7 +32,7 @@ from tracker.simulation.shows import WORD
 from tracker.simulation.two_hands import GlovedHand, TwoHandsSimulation
 from tracker.simulation.wearer import Wearer
 from tracker.vision.lenses import with_one_camera
-from tracker.vision.rig import LONGEST_READOUT, StereoRig, ideal_rig, with_readout
+from tracker.vision.rig import LONGEST_READOUT, StereoRig, ideal_rig
 
 EPOCH_NS = 1_735_689_600 * 10**9  # 2025-01-01: a simulated session has no clock of its own
 MONOTONIC_NS = 0
@@ -63,6 +64,7 @@ def build(options: SimulateOptions) -> tuple[Simulation, SessionInfo]:
     params = SimulationParams(
         head=head, render=room.render, person=options.person, right_late=options.right_late
     )
+    params = _errors(options).params(params)
     motion = _led(options, info, _motion(options, info))
     sim = Simulation(info.hand, info.glove, motion, seed, params, options.fps, rig, room.extras)
     if options.images and rig is not None:
@@ -72,13 +74,18 @@ def build(options: SimulateOptions) -> tuple[Simulation, SessionInfo]:
 
 def _rig(options: SimulateOptions) -> StereoRig | None:
     """What looks on, if anything."""
-    rig = with_readout(ideal_rig(), options.readout)
-    known = {"both": rig, "one": with_one_camera(rig), "none": None}
+    known = {"both": ideal_rig(), "one": with_one_camera(ideal_rig()), "none": None}
     if options.lenses not in known:
         raise ConfigError(
             notice("option.choice", option="--lenses", known=tuple(known), value=options.lenses)
         )
-    return known[options.lenses]
+    rig = known[options.lenses]
+    return None if rig is None else _errors(options).rig(rig, options.seed)
+
+
+def _errors(options: SimulateOptions) -> CameraErrors:
+    errors = errors_named(options.camera_errors, one_camera=options.lenses == "one")
+    return errors if options.readout is None else replace(errors, readout=options.readout)
 
 
 def _check_numbers(options: SimulateOptions) -> None:
@@ -88,7 +95,7 @@ def _check_numbers(options: SimulateOptions) -> None:
         raise ConfigError(notice("option.range", option="--fps", low=5, high=240))
     if not 0 <= options.right_late <= MOST_LATE:
         raise ConfigError(notice("option.range", option="--right-late", low=0, high="50 ms"))
-    if not 0 <= options.readout <= LONGEST_READOUT:
+    if not 0 <= (options.readout or 0.0) <= LONGEST_READOUT:
         raise ConfigError(notice("option.range", option="--readout", low=0, high="100 ms"))
 
 
@@ -199,7 +206,7 @@ def build_both(options: SimulateOptions) -> tuple[TwoHandsSimulation, SessionInf
     dressed = {side: GlovedHand(info.hand, info.glove) for side, info in infos.items()}
     seed, rig = options.seed, _rig(options)
     room = room_of(options.scene, options.light, options.photo, seed, rig)
-    params = SimulationParams(render=room.render)
+    params = _errors(options).params(SimulationParams(render=room.render))
     sim = TwoHandsSimulation(dressed, seed, options.duration, options.fps, params, rig)
     hues = tuple(dict.fromkeys(h for info in infos.values() for h in info.glove.hues))
     left, right = (replace(infos[side], rig=sim.rig, hues=hues) for side in SIDES)

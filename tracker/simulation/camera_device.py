@@ -24,6 +24,7 @@ from tracker.base.notices import warning
 from tracker.base.shared_memory import attached, forget_name, new_memory
 from tracker.messages import Event, StereoFrame
 from tracker.sensors.sources import NoCamera
+from tracker.simulation.camera_errors import JitteredStamps
 from tracker.simulation.demo import DemoSpec, ask, build_scene
 from tracker.simulation.posture_requests import PostureRequest, request_event
 
@@ -190,6 +191,7 @@ def _draw(spec: DemoSpec, images: NDArray[np.uint8], pipe: Connection) -> None:
     pipe.send(READY)
     t_0: float = pipe.recv()
     free = list(range(len(images)))
+    stamps = JitteredStamps(sim.params.stamp_jitter, sim.seed)
     for index, t, arrival in sim.exposures():
         if time.monotonic() > t_0 + arrival + LATE:
             continue
@@ -205,15 +207,16 @@ def _draw(spec: DemoSpec, images: NDArray[np.uint8], pipe: Connection) -> None:
             images[slot][0] = sim.renderer.images(t)[0]
         else:
             sim.renderer.images(t, list(images[slot]))
-        pipe.send(_Drawn(slot, index, t, arrival))
+        pipe.send(_Drawn(slot, index, stamps.stamp(t), arrival))
 
 
 def _draw_before(spec: DemoSpec, images: NDArray[np.uint8], pipe: Connection) -> None:
     """Draws as many images as there are buffers, then sends each at its time."""
     sim = build_scene(spec)
-    drawn = [_Drawn(slot, *one) for slot, one in enumerate(islice(sim.exposures(), len(images)))]
-    for one in drawn:
-        sim.renderer.images(one.t, list(images[one.slot]))
+    stamps, drawn = JitteredStamps(sim.params.stamp_jitter, sim.seed), []
+    for slot, (index, t, arrival) in enumerate(islice(sim.exposures(), len(images))):
+        sim.renderer.images(t, list(images[slot]))
+        drawn.append(_Drawn(slot, index, stamps.stamp(t), arrival))
     pipe.send(READY)
     t_0: float = pipe.recv()
     for one in drawn:

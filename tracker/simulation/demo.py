@@ -13,6 +13,7 @@ from tracker.glove.model import GloveModel
 from tracker.hand.files import parse_hand
 from tracker.hand.model import HandModel
 from tracker.messages import CameraPose
+from tracker.simulation.camera_errors import WEBCAM, ZED, CameraErrors
 from tracker.simulation.desk.renderer import DeskParams
 from tracker.simulation.motion import Motion
 from tracker.simulation.posture_requests import PostureRequest, RequestedMotion
@@ -59,6 +60,7 @@ class DemoSpec:
     one_camera: bool = False  # only the left of two
     right_late: float = 0.0  # s by which the right camera exposes after the left one
     table: float = 0.0  # m from the origin to the top of the table with the camera
+    camera_errors: CameraErrors | None = None  # a ZED's, or with one lens those of a webcam
 
     @property
     def worn(self) -> tuple[HandTexts, ...]:
@@ -71,7 +73,14 @@ class DemoSpec:
         stand = default_pose()
         camera = CameraPose(stand.R_GC, stand.p_GC + np.array([0.0, 0.0, self.table]))
         rig = ideal_rig(pose=camera)
-        return with_one_camera(rig) if self.one_camera else rig
+        return self.errors_of_camera.rig(
+            with_one_camera(rig) if self.one_camera else rig, self.seed
+        )
+
+    @property
+    def errors_of_camera(self) -> CameraErrors:
+        """``camera_errors``, or those of the usual camera."""
+        return self.camera_errors or (WEBCAM if self.one_camera else ZED)
 
 
 def build(spec: DemoSpec) -> Simulation:
@@ -88,7 +97,9 @@ def build(spec: DemoSpec) -> Simulation:
     render = replace(room.render, exposures=spec.exposures)
     if isinstance(render, DeskParams):
         render = replace(render, backgrounds=BACKGROUNDS)
-    params = SimulationParams(render=render, right_late=spec.right_late)
+    params = spec.errors_of_camera.params(
+        SimulationParams(render=render, right_late=spec.right_late)
+    )
     return Simulation(
         hand, glove, motion, spec.seed, params, fps=spec.fps, rig=spec.rig, extras=room.extras
     )
@@ -104,7 +115,9 @@ def build_scene(spec: DemoSpec) -> Simulation | TwoHandsSimulation:
         dressed[hand.side] = GlovedHand(hand, parse_glove(texts.glove, hand))
     room = room_of("plain", "", seed=spec.seed)
     render = replace(room.render, exposures=spec.exposures)
-    params = SimulationParams(render=render, right_late=spec.right_late)
+    params = spec.errors_of_camera.params(
+        SimulationParams(render=render, right_late=spec.right_late)
+    )
     return TwoHandsSimulation(dressed, spec.seed, spec.duration, spec.fps, params, spec.rig)
 
 

@@ -30,6 +30,9 @@ class Scene(Protocol):
     def instant(self, t: float) -> Instant:
         """Everything in C at the time t (s)."""
 
+    def positions(self, t: Array) -> Array:
+        """(n, S, 3) m: the origins of all segments in C at the times t (n,) s."""
+
     def reported_pose(self, t: float) -> CameraPose | None:
         """The pose reported by the camera; None for a static one."""
 
@@ -45,15 +48,33 @@ class EyeView(NamedTuple):
 JITTER_PX = np.array([[-0.25, 0.15], [0.3, 0.3], [-0.05, -0.35], [0.2, -0.1]])
 """Sub-pixel offset of each instant: smooths edges at no cost."""
 SPEED_STEP = 0.005  # s
+REACH = 0.04
+"""m: from a segment's origin to its end with cloth, at most."""
 SLOW_PX = 0.5
 """px of motion over half the shutter below which two instants are sufficient."""
 
 
-def speed_of(scene: Scene, t: float) -> float:
-    """px/s by which the fastest segment moves about the time t (s)."""
-    first, last = (scene.instant(t + s) for s in (-SPEED_STEP, SPEED_STEP))
-    path = float(np.abs(last.p_CB - first.p_CB).max())
-    return path / (2 * SPEED_STEP) / max(float(first.p_CB[0, 2]), 0.05) * scene.rig.fx
+class HandMotion(NamedTuple):
+    """The px/s by which the fastest segment moves, and the rows of an image in which all hands are,
+    from the first to before the last."""
+
+    speed: float
+    rows: tuple[int, int]
+
+
+def motion_at(scene: Scene, t: float) -> HandMotion:
+    """How the hands move about the time t (s)."""
+    p_CB, rig = scene.positions(t + np.array([-SPEED_STEP, SPEED_STEP])), scene.rig
+    path = float(np.abs(p_CB[1] - p_CB[0]).max())
+    depth = max(float(p_CB[0, 0, 2]), 0.05)
+    points = p_CB.reshape(-1, 3)
+    reach = rig.fy * REACH / np.maximum(points[:, 2], 2 * REACH)
+    row = rig.left.unrectify(rig.project(points))[:, 1]
+    some = np.isfinite(row)
+    low, high = (row - reach)[some], (row + reach)[some]
+    ends = (low.min(), high.max()) if some.any() else (0.0, 0.0)
+    first, end = np.clip(np.round(ends).astype(int), 0, rig.left.height)
+    return HandMotion(path / (2 * SPEED_STEP) / depth * rig.fx, (int(first), int(end)))
 
 
 def moments_of(

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tracker.kernels import kernel
+from tracker.kernels.arrays import ByteStack, Float32Vector, Written
 from tracker.messages import Array
 
 GAMMA = 2.2  # of the cameras' images
@@ -32,20 +33,6 @@ class Exposure(NamedTuple):
     readout: float
 
 
-def flicker(
-    images: Sequence[NDArray[np.uint8]], t: float, exposure: Exposure, params: FlickerParams
-) -> list[NDArray[np.uint8]]:
-    """Images (h, w, 3) of the exposure with midpoint t (s) under such lamps."""
-    if params.depth == 0.0:
-        return list(images)
-    out = []
-    for image in images:
-        gain = row_gains(len(image), t, exposure, params).astype(np.float32)
-        bright = image * gain[:, None, None]
-        out.append(np.minimum(bright + 0.5, 255.0).astype(np.uint8))
-    return out
-
-
 def row_gains(rows: int, t: float, exposure: Exposure, params: FlickerParams) -> Array:
     """(rows,) by which the values of an image's rows are multiplied."""
     hz = 2 * params.mains_hz
@@ -54,3 +41,38 @@ def row_gains(rows: int, t: float, exposure: Exposure, params: FlickerParams) ->
     light = 1 + params.depth * mean_of_shutter * np.cos(2 * np.pi * hz * when + params.phase)
     gains: Array = np.maximum(light, 0.0) ** (1 / GAMMA)
     return gains
+
+
+class Lamps:
+    """The light of the images of one camera."""
+
+    def __init__(self, exposure: Exposure, params: FlickerParams | None = None) -> None:
+        self._exposure, self._params = exposure, params or FlickerParams()
+
+    def gains(self, rows: int, t: float) -> NDArray[np.float32]:
+        """(rows,) `row_gains` of the image with the midpoint t (s); 1 where nothing flickers."""
+        if self._params.depth == 0.0:
+            return np.ones(rows, np.float32)
+        return row_gains(rows, t, self._exposure, self._params).astype(np.float32)
+
+    def light(
+        self, image: NDArray[np.uint8], gains: NDArray[np.float32], out: NDArray[np.uint8]
+    ) -> None:
+        """Writes an image (h, w, 3) in this light to ``out``."""
+        if self._params.depth != 0.0:
+            brightened(image, gains, out)
+        else:
+            out[:] = image
+
+
+@kernel(fastmath=True, wide=True)
+def brightened(image: ByteStack, gain: Float32Vector, out: Written[ByteStack]) -> None:
+    """Writes an image (h, w, 3), each row multiplied by its gain (h,), to ``out``."""
+    half, top = np.float32(0.5), np.float32(255.0)
+    width = image.shape[1] * image.shape[2]
+    values, written = image.reshape(-1), out.reshape(-1)  # contiguous, for the compiler
+    for v in range(len(gain)):
+        row, into = values[v * width : (v + 1) * width], written[v * width : (v + 1) * width]
+        own = gain[v]
+        for k in range(width):
+            into[k] = np.uint8(np.int32(min(np.float32(row[k]) * own + half, top)))

@@ -11,18 +11,19 @@ from numpy.typing import NDArray
 from tracker.base.clock import nanoseconds
 from tracker.messages import Array, IntArray, StereoFrame
 from tracker.simulation.backgrounds import BackgroundParams, fabric_bgr, make_background
-from tracker.simulation.camera_view import pitch_of, pixels_of, ray_map
+from tracker.simulation.camera_view import pitch_of, pixels_of, ray_map, within_rows
 from tracker.simulation.exposure import (
     JITTER_PX,
     EyeView,
     Scene,
     moments_of,
+    motion_at,
     patches_of_all,
     seen_patches,
-    speed_of,
 )
+from tracker.simulation.flicker import Exposure, FlickerParams, Lamps
 from tracker.simulation.raster import Buffer, PixelRays, bounds, draw
-from tracker.simulation.row_sampling import RowBand, bands_of
+from tracker.simulation.row_sampling import RowBand, band_px, bands_of
 from tracker.simulation.sewn import SeenPatches
 from tracker.simulation.shading import Cloth, Light, develop, shade
 from tracker.simulation.smooth import rng_for
@@ -69,9 +70,12 @@ class _Memory:
 class Renderer:
     """Draws a scene. A renderer caches the rig's ray maps and backgrounds."""
 
-    def __init__(self, scene: Scene, params: RenderParams | None = None) -> None:
+    def __init__(
+        self, scene: Scene, params: RenderParams | None = None, lamps: FlickerParams | None = None
+    ) -> None:
         self.scene, self.params = scene, params or RenderParams()
         rig, p = scene.rig, self.params
+        self._lamps = Lamps(Exposure(p.shutter, rig.readout), lamps)
         self._rays = (ray_map(rig.left), ray_map(rig.right))
         self._pitch = tuple(pitch_of(rays) for rays in self._rays)
         self._K = np.array([rig.fx, rig.fy, rig.cx, rig.cy])
@@ -91,11 +95,11 @@ class Renderer:
     def _with_grain(self, ground: Image, rng: np.random.Generator) -> list[Image]:
         """Four noisy copies of a background, one of which each frame uses: new noise is too
         slow."""
-        prints = []
+        prints, even = [], np.ones(len(ground), np.float32)
         for _ in range(4):
             out = np.empty_like(ground)
             shift, corner = rng.integers(0, 500, 2), np.zeros(2, np.int64)
-            develop(ground.astype(np.float32), 1, self._grain, shift, corner, out)
+            develop(ground.astype(np.float32), 1, even, self._grain, shift, corner, out)
             prints.append(out)
         return prints
 
@@ -123,9 +127,10 @@ class Renderer:
         sides = [int(side == "right") for side in self.scene.rig.sides]
         out = tuple(into or (np.empty_like(self._ground[side]) for side in sides))
         for image, side in zip(out, sides, strict=True):
-            image[:] = self._noisy[side][int(rng.integers(4))]
+            gains = self._lamps.gains(len(image), t)
+            self._lamps.light(self._noisy[side][int(rng.integers(4))], gains, image)
             for moments, band in exposures:
-                self._draw(image, moments, side, rng, band)
+                self._draw(image, moments, side, rng, band, gains)
         return out
 
     def _exposures(self, t: float) -> list[tuple[list[Instant], RowBand | None]]:
@@ -134,8 +139,15 @@ class Renderer:
         how = p.shutter, min(p.exposures, len(JITTER_PX))
         if rig.line_time == 0.0:
             return [(moments_of(self.scene, t, *how), None)]
-        bands = bands_of(rig, rig.left, speed_of(self.scene, t))
+        speed, rows = motion_at(self.scene, t)
+        bands = bands_of(rig, rig.left, speed, rows, band_px(p.exposures))
         return [(moments_of(self.scene, t + band.delay, *how), band) for band in bands]
+
+    def _eye_view(self, side: int) -> EyeView:
+        """The left (0) or the right camera (1)."""
+        rig = self.scene.rig
+        camera = rig.right if side else rig.left
+        return EyeView(np.array([rig.baseline * side, 0.0, 0.0]), self._K, camera)
 
     def _draw(
         self,
@@ -144,14 +156,15 @@ class Renderer:
         side: int,
         rng: np.random.Generator,
         band: RowBand | None,
+        gains: NDArray[np.float32],
     ) -> None:
         """Draws the view of the left (0) or the right camera (1) into ``out`` (h, w, 3), or into a
-        band of its rows."""
-        eye = np.array([self.scene.rig.baseline * side, 0.0, 0.0])
-        camera = self.scene.rig.right if side else self.scene.rig.left
+        band of its rows; each row has the light ``gains`` (h,)."""
+        view = self._eye_view(side)
+        eye, camera = view.eye, view.camera
         boxes = [pixels_of(bounds(m.solids, eye, self._K), camera) for m in moments]
         if band is not None:
-            boxes = [_within(box, band) for box in boxes]
+            boxes = [within_rows(box, band.first, band.end) for box in boxes]
         all_boxes = np.concatenate(boxes)
         some = all_boxes[all_boxes[:, 0] < all_boxes[:, 2]]
         if len(some) == 0:
@@ -165,9 +178,9 @@ class Renderer:
             jitter = JITTER_PX[k] / self._K[:2]
             rays = PixelRays(self._rays[side], self._pitch[side], jitter, eye, corner)
             sewn = self._patches._replace(position=moment.markers[self._order])
-            patches = seen_patches(sewn, moment, EyeView(eye, self._K, camera))
+            patches = seen_patches(sewn, moment, view)
             self._expose(moment.solids, rays, pixels, patches, ground, (total, buffer))
-        develop(total, len(moments), self._grain, rng.integers(0, 500, 2), corner, out)
+        develop(total, len(moments), gains, self._grain, rng.integers(0, 500, 2), corner, out)
 
     def _expose(
         self,
@@ -185,11 +198,3 @@ class Renderer:
             np.concatenate([solids.colour, solids.box_colour]) * self.params.gain,
         )
         shade(rays, buffer, solids, cloth, patches, self._light, ground, total)
-
-
-def _within(pixels: IntArray, band: RowBand) -> IntArray:
-    """Bounds (n, 4) px of what is in these rows, empty where nothing is."""
-    out = pixels.copy()
-    out[:, [1, 3]] = np.clip(out[:, [1, 3]], band.first, band.end)
-    out[out[:, 1] >= out[:, 3]] = 0
-    return out

@@ -228,7 +228,7 @@ class SimulatedRig:
         self._gloves = {side: self._glove_of(hand) for side, hand in hands.items()}
         links = {side: self._link(side) for side in hands}
         self.files = RigFiles(links, self._sent.paths)
-        self._seen_by = spec.rig
+        self._seen_by = next(iter(hands.values())).scene.rig
         self.rig = smaller_right(spec.rig) if apart else spec.rig
         self.hand_lengths = {side: hand.wearer.hand_length for side, hand in hands.items()}
 

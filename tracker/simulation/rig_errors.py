@@ -13,6 +13,7 @@ import numpy as np
 from tracker.geometry import so3
 from tracker.messages import Array
 from tracker.simulation.smooth import rng_for
+from tracker.vision.lenses import one_camera_rig
 from tracker.vision.rig import Camera, StereoRig
 
 GRID = 17
@@ -54,8 +55,11 @@ class LensParams:
 
 def with_lenses(rig: StereoRig, seed: int, params: LensParams | None = None) -> StereoRig:
     """The rig with lenses of a wide-angle stereo camera, mounted with tolerances. Its rectified
-    images are the same, except at their borders."""
+    images are the same, except at their borders. A single camera has its own axes."""
     p, rng = params or LensParams(), rng_for(seed, "lenses")
+    if rig.one_camera:
+        left = replace(_lens(rig.left, p, rng), R=rig.left.R)
+        return one_camera_rig(left, rig.pose, rig.line_time)
     return replace(rig, left=_lens(rig.left, p, rng), right=_lens(rig.right, p, rng))
 
 
@@ -75,6 +79,8 @@ def true_camera(rig: StereoRig, seed: int, params: RigErrorParams) -> StereoRig:
         return rig
     rng = rng_for(seed, "calibration")
     left = _misplaced(rig.left, rng, params.pixel_px, turns=False)
+    if rig.one_camera:
+        return one_camera_rig(left, rig.pose, rig.line_time)
     right = _misplaced(rig.right, rng, params.pixel_px, turns=True)
     right = _turned(right, _since(params, rig.fy))
     gain = 1.0 + params.baseline * float(rng.choice([-1.0, 1.0]))

@@ -12,7 +12,11 @@ from tracker.vision.rig import Camera, StereoRig
 STEP = 2.5e-3  # s between instants, between which pixels move in straight lines to 0.03 mm
 MARGIN = 2e-3  # s that a point may move on in rows while the hand's rows are exposed
 LEAST_ROWS = 16  # of a band of an image: blocks of JPEG lie whole in one
-BAND_PX = 0.7  # by which a hand moves at most while a band is exposed, if that is tall enough
+BAND_PX = (
+    0.7  # by default, by which a hand moves at most while a band is exposed, if that is tall enough
+)
+
+BLURRED = 3  # exposures of an image with motion blur
 
 
 class RowBand(NamedTuple):
@@ -66,15 +70,30 @@ class OwnRow(NamedTuple):
         return out
 
 
-def bands_of(rig: StereoRig, camera: Camera, speed: float) -> list[RowBand]:
-    """Bands of rows in which a hand of ``speed`` px/s moves less than `BAND_PX`, or of `LEAST_ROWS`
-    rows."""
-    rows, readout = camera.height, rig.line_time * rig.left.height
-    blocks = -(-rows // LEAST_ROWS)
-    count = int(np.clip(np.ceil(speed * readout / BAND_PX), 1, blocks))
-    edges = np.round(np.linspace(0, blocks, count + 1)).astype(int) * LEAST_ROWS
-    edges[-1] = rows
+def band_px(exposures: int) -> float:
+    """px by which a hand may move in a band: more with fewer ``exposures`` per image, between which
+    it moves too."""
+    return BAND_PX * BLURRED / max(min(exposures, BLURRED), 1)
+
+
+def bands_of(
+    rig: StereoRig,
+    camera: Camera,
+    speed: float,
+    rows: tuple[int, int] | None = None,
+    most_px: float = BAND_PX,
+) -> list[RowBand]:
+    """Bands of all rows, in which a hand of ``speed`` px/s moves less than ``most_px`` or which are
+    `LEAST_ROWS` rows; the hand is in ``rows`` (default: all). Above and below these, the bands
+    extend to the image's edges."""
+    first, end = rows or (0, camera.height)
+    low, high = first // LEAST_ROWS, max(-(-end // LEAST_ROWS), first // LEAST_ROWS + 1)
+    readout = rig.line_time * rig.left.height * (high - low) * LEAST_ROWS / camera.height
+    count = int(np.clip(np.ceil(speed * readout / most_px), 1, high - low))
+    edges = np.round(np.linspace(low, high, count + 1)).astype(int) * LEAST_ROWS
+    edges[-1] = min(edges[-1], camera.height)
     middle = row_delay(rig, camera, (edges[:-1] + edges[1:] - 1) / 2)
+    edges[0], edges[-1] = 0, camera.height
     return [
         RowBand(int(a), int(b), float(delay))
         for a, b, delay in zip(edges[:-1], edges[1:], middle, strict=True)

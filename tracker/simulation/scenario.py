@@ -21,8 +21,9 @@ from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array, BlobFrame, CameraImuSample, ImuSample, StereoFrame
+from tracker.simulation.camera_errors import JitteredStamps
 from tracker.simulation.desk.renderer import DeskParams, DeskRenderer
-from tracker.simulation.flicker import Exposure, FlickerParams, flicker
+from tracker.simulation.flicker import FlickerParams
 from tracker.simulation.head import Head, HeadParams
 from tracker.simulation.imu import ImuSimulator
 from tracker.simulation.imu_errors import ImuParams
@@ -78,10 +79,6 @@ def camera_imu_samples(
 Message = ImuSample | CameraImuSample | BlobFrame | StereoFrame
 MARGIN = 0.01
 """There are no samples in the last 10 ms of a motion, s."""
-MOST_JITTER = 3.0
-"""Standard deviations by which a time stamp is early or late at most."""
-LEAST_STEP = 1e-3
-"""s between the time stamps of two images."""
 
 
 @dataclass(frozen=True)
@@ -89,12 +86,14 @@ class SimulationParams:
     """The person, the sensors and the delays.
 
     ``person`` is the seed of the person, independent of the fitting of the glove: one person can
-    have several sessions. ``device`` is likewise the seed of the errors of the glove's IMUs.
+    have several sessions. ``device`` is likewise the seed of the errors of the glove's IMUs, and
+    ``camera`` that of the errors of the camera's calibration.
     """
 
     wearer: WearerParams = field(default_factory=WearerParams)
     person: int | None = None
     device: int | None = None
+    camera: int | None = None
     imu: ImuParams = field(default_factory=ImuParams)
     blobs: BlobParams = field(default_factory=BlobParams)
     render: RenderParams | DeskParams = field(default_factory=RenderParams)
@@ -111,16 +110,12 @@ class SimulationParams:
 Frame = TypeVar("Frame", BlobFrame, StereoFrame)
 
 
-def stamped(frames: Iterator[Frame], simulation: Simulation) -> Iterator[Frame]:
-    """The frames with the jitter of their time stamps, which stay in order."""
-    sd, rng, last = simulation.params.stamp_jitter, rng_for(simulation.seed, "stamps"), -np.inf
+def stamped(frames: Iterator[Frame], jitter: float, seed: int) -> Iterator[Frame]:
+    """The frames with a jitter (s, standard deviation) of their time stamps, in order."""
+    stamps = JitteredStamps(jitter, seed)
     for frame in frames:
-        if sd > 0.0:
-            late = float(np.clip(rng.normal(0, sd), -MOST_JITTER * sd, MOST_JITTER * sd))
-            t = max(frame.t + late, last + LEAST_STEP)
-            frame = replace(frame, t=seconds(nanoseconds(t)))
-        last = frame.t
-        yield frame
+        t = stamps.stamp(frame.t)
+        yield frame if t == frame.t else replace(frame, t=t)
 
 
 class Truth(NamedTuple):
@@ -157,7 +152,8 @@ class Simulation:
         self.wearer = Wearer.random(hand, glove, person, self.params.wearer, fitting=seed)
         self.imus = ImuSimulator(self.wearer, motion, seed, self.params.imu, self.params.device)
         head = Head(self.rig.pose, seed, self.params.head)
-        camera = true_camera(self.rig, seed, self.params.rig_errors)
+        of_camera = seed if self.params.camera is None else self.params.camera
+        camera = true_camera(self.rig, of_camera, self.params.rig_errors)
         self.scene = SimulatedScene(
             self.wearer, motion, camera, seed, self.params.blobs, extras, head
         )
@@ -183,7 +179,8 @@ class Simulation:
 
     def frames(self, images: bool = False) -> Iterator[BlobFrame] | Iterator[StereoFrame]:
         """All frames in order: blobs, or images."""
-        return stamped(self._images(), self) if images else stamped(self._blob_frames(), self)
+        how = self.params.stamp_jitter, self.seed
+        return stamped(self._images(), *how) if images else stamped(self._blob_frames(), *how)
 
     def _blob_frames(self) -> Iterator[BlobFrame]:
         late = self.params.right_late
@@ -196,23 +193,15 @@ class Simulation:
         """Created for the first image: it contains ray maps and backgrounds."""
         how = self.params.render
         if isinstance(how, DeskParams):
-            return DeskRenderer(self.scene, how)
-        return Renderer(self.scene, how)
+            return DeskRenderer(self.scene, how, self.params.flicker)
+        return Renderer(self.scene, how, self.params.flicker)
 
     def _images(self) -> Iterator[StereoFrame]:
         late = self.params.right_late
         for index, t, arrival in self.exposures():
             frame = self.renderer.frame(t, arrival, index)
             frame = replace(frame, right=self.renderer.frame(t + late).right) if late else frame
-            yield self._lit(frame) if self.params.flicker.depth else frame
-
-    def _lit(self, frame: StereoFrame) -> StereoFrame:
-        """The frame under flickering lamps."""
-        readout = self.rig.line_time * (self.rig.left.height - 1)
-        exposure = Exposure(self.params.render.shutter, readout)
-        seen = [image for image in (frame.left, frame.right) if image is not None]
-        left, *right = flicker(seen, frame.t, exposure, self.params.flicker)
-        return replace(frame, left=left, right=right[0] if right else None)
+            yield frame
 
     def feed(self, images: bool = False) -> Iterator[ImuSample | BlobFrame | StereoFrame]:
         """All messages in the order of arrival; IMU packets first of simultaneous ones."""

@@ -126,6 +126,12 @@ class SimulatedScene:
         solids = together(parts).moved(R_CG, p_CG)
         return Instant(R_CG @ R_GB[0], p_GB[0] @ R_CG.T + p_CG, solids, self.wearer.markers(t))
 
+    def positions(self, t: Array) -> Array:
+        """(n, S, 3) m: the origins of all segments in C at the times t (n,) s."""
+        _, p_GB, _ = self.wearer.segments(self.motion, t)
+        poses = [self.pose(at) for at in t]
+        return np.stack([(p - c.p_GC) @ c.R_GC for p, c in zip(p_GB, poses, strict=True)])
+
     def markers_seen(self, now: Instant, right: bool) -> SeenMarkers:
         """The markers in one image without noise."""
         rig = self.rig

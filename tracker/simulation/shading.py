@@ -193,13 +193,14 @@ def _light_box(run: Run, solids: Solids, i: int, lamp: Light, lit: Written[Float
 def develop(
     total: Float32Stack,
     exposures: int,
+    gain: Float32Vector,
     noise: Float32Stack,
     shift: IntVector,
     corner: IntVector,
     out: Written[ByteStack],
 ) -> None:
-    """Mean of the exposures plus sensor noise, rounded, written to the part of ``out`` (H, W, 3)
-    uint8 that starts at the corner (v0, u0).
+    """Mean of the exposures, each row times its ``gain`` (H,), plus sensor noise, rounded, written
+    to the part of ``out`` (H, W, 3) uint8 that starts at the corner (v0, u0).
 
     noise (n, m, 3) is a scaled tile; shift (2,) is the origin in it.
     """
@@ -208,6 +209,7 @@ def develop(
     share = np.float32(1.0 / exposures)
     for v in range(total.shape[0]):
         tile = 3 * ((v + shift[0]) % rows) * columns
+        own = share * gain[v + corner[0]]
         to = 3 * ((v + corner[0]) * out.shape[1] + corner[1])
         begin = 0
         while begin < width:
@@ -216,7 +218,7 @@ def develop(
             row, at = 3 * (v * width + begin), to + 3 * begin
             _round(
                 light[row : row + n],
-                share,
+                own,
                 grain[tile + 3 * column : tile + 3 * column + n],
                 image[at : at + n],
             )

@@ -29,7 +29,7 @@ from tracker.simulation.desk.renderer import DeskParams
 from tracker.simulation.motion import Motion, Poses
 from tracker.simulation.random_postures import PostureParams, RandomPostures
 from tracker.simulation.render import Renderer
-from tracker.simulation.scenario import Simulation, SimulationParams
+from tracker.simulation.scenario import Simulation, SimulationParams, stamped
 from tracker.simulation.scene import SimulatedScene, touching
 from tracker.simulation.smooth import minimum_jerk, rng_for
 from tracker.simulation.solids import BodyShape, Instant, Solids, together
@@ -159,6 +159,10 @@ class TwoHandsScene:
             np.concatenate([first.markers, second.markers]),
         )
 
+    def positions(self, t: Array) -> Array:
+        """(n, S, 3) m: the origins of all segments of both hands in C at the times t (n,) s."""
+        return np.concatenate([scene.positions(t) for scene in self._scenes], axis=1)
+
     def reported_pose(self, t: float) -> CameraPose | None:
         """The pose reported by the camera; None for a static one."""
         return self._scenes[0].reported_pose(t)
@@ -182,10 +186,10 @@ class TwoHandsSimulation:
         rig: StereoRig | None = None,
     ) -> None:
         self.seed, self.rig, self.fps = seed, rig or ideal_rig(), fps
-        params = params or SimulationParams()
+        self.params = params = replace(params or SimulationParams(), camera=seed)
         if isinstance(params.render, DeskParams):
             raise ConfigError(notice("simulate.two_hands_scene"))
-        self._render = params.render
+        self._drawn_with = params.render
         meeting, camera = Meeting(seed, duration), self.rig.pose
         seeds = {side: hand_seed(seed, side) for side in SIDES}
         motions = {
@@ -229,7 +233,9 @@ class TwoHandsSimulation:
     def renderer(self) -> Renderer:
         """Created for the first image: it contains ray maps and backgrounds."""
         left, right = (self.alone[side].scene for side in SIDES)
-        return Renderer(TwoHandsScene(left, right, self.seed), self._render)
+        return Renderer(
+            TwoHandsScene(left, right, self.seed), self._drawn_with, self.params.flicker
+        )
 
     def image_frames(self) -> Iterator[StereoFrame]:
         """Images of both hands."""
@@ -240,8 +246,9 @@ class TwoHandsSimulation:
         """All packets, and blobs or images, in the order of arrival; packets first of simultaneous
         messages."""
         parts = [self._packets(side) for side in SIDES]
+        how = self.params.stamp_jitter, self.seed
         seen: Iterator[BlobFrame | StereoFrame]
-        seen = self.image_frames() if images else self.blob_frames()
+        seen = stamped(self.image_frames(), *how) if images else stamped(self.blob_frames(), *how)
         frames = (SidedMessage("", frame) for frame in seen)
         return heapq.merge(*parts, frames, key=lambda m: m.message.t_arrival)
 

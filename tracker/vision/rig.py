@@ -47,6 +47,11 @@ class Camera:
             and np.allclose(self.K, self.P[:, :3])
         )
 
+    @cached_property
+    def pixel_to_ray(self) -> Array:
+        """(3, 3) from rectified pixels (u, v, 1) to directions of the camera as mounted."""
+        return np.ascontiguousarray(self.R.T @ np.linalg.inv(self.P[:, :3]))
+
     def rectify(self, uv: Array) -> Array:
         """Raw pixels (n, 2) to rectified pixels (n, 2)."""
         if self.is_rectified or len(uv) == 0:
@@ -96,6 +101,11 @@ class StereoRig:
             raise ConfigError(notice("stereo.baseline_negative", baseline_mm=self.baseline * 1000))
         if not np.allclose(self.left.P[:, :3], self.right.P[:, :3], rtol=1e-6, atol=1e-6):
             raise ConfigError(notice("stereo.matrices_differ"))
+
+    @property
+    def readout(self) -> float:
+        """s from the exposure of an image's first row to that of its last."""
+        return self.line_time * (self.left.height - 1)
 
     @property
     def sides(self) -> tuple[str, ...]:

@@ -14,7 +14,7 @@ from tracker.base.clock import nanoseconds
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 from tracker.messages import Array, IntArray, StereoFrame
-from tracker.simulation.camera_view import pitch_of, pixels_of, ray_map
+from tracker.simulation.camera_view import pitch_of, pixels_of, ray_map, within_rows
 from tracker.simulation.desk.ground import REFERENCE, Desk, desk_pose
 from tracker.simulation.desk.lights import light_of, linear
 from tracker.simulation.desk.sensor import develop, leaked, sensor_of, through_jpeg
@@ -27,9 +27,15 @@ from tracker.simulation.desk.shadow import (
     shadow_corners,
 )
 from tracker.simulation.desk.textures import felt, knit, wandering
-from tracker.simulation.exposure import JITTER_PX, moments_of, sewn_patches, speed_of
+from tracker.simulation.exposure import (
+    JITTER_PX,
+    moments_of,
+    motion_at,
+    sewn_patches,
+)
+from tracker.simulation.flicker import Exposure, FlickerParams, Lamps
 from tracker.simulation.raster import Buffer, PixelRays, bounds, draw
-from tracker.simulation.row_sampling import bands_of
+from tracker.simulation.row_sampling import band_px, bands_of
 from tracker.simulation.scene import SimulatedScene
 from tracker.simulation.smooth import rng_for
 from tracker.simulation.solids import Instant
@@ -86,6 +92,17 @@ class _Box(NamedTuple):
         return _Box(int(low[0]), int(low[1]), int(high[0]), int(high[1]))
 
 
+class _Part(NamedTuple):
+    """Instants of the shutter with the hand's shadow of the lamp and points around it on the desk,
+    and the rows that are exposed then: from ``first`` to before ``end``."""
+
+    moments: list[Instant]
+    shadow: CastShadow
+    corners: Array
+    first: int
+    end: int
+
+
 NOWHERE = _Box(0, 0, 0, 0)
 
 
@@ -95,8 +112,14 @@ class DeskRenderer:
     Raises ConfigError for an unknown light and for a moving camera.
     """
 
-    def __init__(self, scene: SimulatedScene, params: DeskParams | None = None) -> None:
+    def __init__(
+        self,
+        scene: SimulatedScene,
+        params: DeskParams | None = None,
+        lamps: FlickerParams | None = None,
+    ) -> None:
         self.scene, self.params = scene, params or DeskParams()
+        self._lamps = Lamps(Exposure(self.params.shutter, scene.rig.readout), lamps)
         if scene.head.moves:
             raise ConfigError(notice("simulate.desk_camera"))
         self.light = light_of(self.params.light)
@@ -164,30 +187,28 @@ class DeskRenderer:
     def images(self, t: float, into: Sequence[Image] | None = None) -> tuple[Image, ...]:
         """The image of each camera, (h, w, 3) uint8 BGR, the left one first; drawn ``into`` the
         given arrays, if any."""
-        line_time = self.scene.rig.line_time
-        drawn = self._drawn(t, nanoseconds(t)) if line_time == 0.0 else self._by_rows(t)
-        for image, own in zip(into or (), drawn, strict=into is not None):
-            image[:] = own
-        return drawn
+        ns, parts = nanoseconds(t), self._parts(t)
+        rng = rng_for(self.scene.seed, "image", ns % 2**32, ns // 2**32)
+        drawn = tuple(self._image(view, parts, rng) for view in self._views)
+        out = tuple(into or (np.empty_like(image) for image in drawn))
+        for image, own in zip(out, drawn, strict=True):
+            self._lamps.light(own, self._lamps.gains(len(own), t), image)
+        return out
 
-    def _drawn(self, t: float, ns: int) -> tuple[Image, ...]:
-        """The images as everything is at the time t (s), with the noise of the instant ``ns``."""
+    def _parts(self, t: float) -> list[_Part]:
+        """The image with the midpoint t (s): one part, or of a rolling shutter one for each band of
+        rows."""
+        rig = self.scene.rig
+        if rig.line_time == 0.0:
+            return [self._part(t, 0, rig.left.height)]
+        speed, rows = motion_at(self.scene, t)
+        bands = bands_of(rig, rig.left, speed, rows, band_px(self.params.exposures))
+        return [self._part(t + band.delay, band.first, band.end) for band in bands]
+
+    def _part(self, t: float, first: int, end: int) -> _Part:
         p = self.params
         moments = moments_of(self.scene, t, p.shutter, min(p.exposures, len(JITTER_PX)), 1)
-        shadow = self._shadow(moments[len(moments) // 2])
-        rng = rng_for(self.scene.seed, "image", ns % 2**32, ns // 2**32)
-        return tuple(self._image(view, moments, shadow, rng) for view in self._views)
-
-    def _by_rows(self, t: float) -> tuple[Image, ...]:
-        """The images of a rolling shutter: bands of rows, each of an image of its own instant."""
-        rig, ns = self.scene.rig, nanoseconds(t)
-        out: tuple[Image, ...] = ()
-        for band in bands_of(rig, rig.left, speed_of(self.scene, t)):
-            drawn = self._drawn(t + band.delay, ns)
-            out = out or tuple(image.copy() for image in drawn)
-            for image, now in zip(out, drawn, strict=True):
-                image[band.first : band.end] = now[band.first : band.end]
-        return out
+        return _Part(moments, *self._shadow(moments[len(moments) // 2]), first, end)
 
     def _shadow(self, now: Instant) -> tuple[CastShadow, Array]:
         """The hand's shadow of the lamp, and points around it on the desk."""
@@ -199,16 +220,10 @@ class DeskRenderer:
         cast = cast_shadow(now.solids, middle, self._lights.place, self.light.softness * away)
         return cast, shadow_corners(cast, away)
 
-    def _image(
-        self,
-        view: _CameraView,
-        moments: list[Instant],
-        shadow: tuple[CastShadow, Array],
-        rng: np.random.Generator,
-    ) -> Image:
-        boxes = [pixels_of(bounds(m.solids, view.eye, self._K), view.camera) for m in moments]
-        box = self._add_shadow(view, shadow)
-        box = box.around(self._add_hand(view, moments, boxes, shadow[0]))
+    def _image(self, view: _CameraView, parts: list[_Part], rng: np.random.Generator) -> Image:
+        box = NOWHERE
+        for part in parts:
+            box = box.around(self._add(view, part))
         if view.drawn:
             out = view.drawn[int(rng.integers(len(view.drawn)))].copy()
             if box != NOWHERE:
@@ -226,31 +241,50 @@ class DeskRenderer:
         quality = self.params.jpeg_quality
         return through_jpeg(out, quality) if quality else out
 
-    def _add_shadow(self, view: _CameraView, shadow: tuple[CastShadow, Array]) -> _Box:
-        """Draws the hand's shadow on the desk into the view's light; returns its bounds."""
-        points = shadow[1] - view.eye
+    def _add(self, view: _CameraView, part: _Part) -> _Box:
+        """Draws the rows of a part into the view's light; returns the bounds of what changed. The
+        lens blurs across the border of two parts, so each is drawn beyond it."""
+        first, height = part.first, len(view.light)
+        low, high = max(first - MARGIN_PX, 0), min(part.end + MARGIN_PX, height)
+        above = view.light[low:first].copy()
+        if first > 0:
+            both = slice(low, min(first + MARGIN_PX, height))
+            view.light[both] = view.whole[both]
+        boxes = [
+            within_rows(pixels_of(bounds(m.solids, view.eye, self._K), view.camera), low, high)
+            for m in part.moments
+        ]
+        box = self._add_shadow(view, part, (low, high))
+        box = box.around(self._add_hand(view, part, boxes, (low, high)))
+        view.light[low:first] = above
+        return box
+
+    def _add_shadow(self, view: _CameraView, part: _Part, rows: tuple[int, int]) -> _Box:
+        """Draws the hand's shadow on these rows of the desk into the view's light; returns its
+        bounds."""
+        points = part.corners - view.eye
         points = points[points[:, 2] > 0.05]
         if len(points) == 0:
             return NOWHERE
         uv = points[:, :2] / points[:, 2:] * self._K[:2] + self._K[2:]
         uv = np.clip(uv, -2000, 4000)
         box = np.concatenate([uv.min(axis=0), uv.max(axis=0)])[None]
-        ((u0, v0, u1, v1),) = pixels_of(box, view.camera)
+        ((u0, v0, u1, v1),) = within_rows(pixels_of(box, view.camera), *rows)
         if u0 >= u1 or v0 >= v1:
             return NOWHERE
         corner = np.array([v0, u0], np.int64)
         base = np.empty((v1 - v0, u1 - u0, 3), np.float32)
         rays = PixelRays(view.rays, view.pitch, np.zeros(2), view.eye, corner)
-        shaded_ground(rays, view.ground, shadow[0], base)
+        shaded_ground(rays, view.ground, part.shadow, base)
         view.light[v0:v1, u0:u1] = base
         return _Box(int(u0), int(v0), int(u1), int(v1))
 
     def _add_hand(
         self,
         view: _CameraView,
-        moments: list[Instant],
+        part: _Part,
         boxes: list[IntArray],
-        shadow: CastShadow,
+        rows: tuple[int, int],
     ) -> _Box:
         """Draws the hand into the view's light: the mean over the exposures, through the lens;
         returns its bounds."""
@@ -260,19 +294,18 @@ class DeskRenderer:
             return NOWHERE
         u0, v0 = np.maximum(some[:, :2].min(axis=0) - MARGIN_PX, 0)
         u1, v1 = some[:, 2:].max(axis=0) + MARGIN_PX
-        height, width = view.light.shape[:2]
-        u1, v1 = min(u1, width), min(v1, height)
+        v0, u1, v1 = max(v0, rows[0]), min(u1, view.light.shape[1]), min(v1, rows[1])
         base = np.ascontiguousarray(view.light[v0:v1, u0:u1])
-        around, total = Surroundings(self._lights, shadow, base), np.zeros_like(base)
+        around, total = Surroundings(self._lights, part.shadow, base), np.zeros_like(base)
         size = base.shape[:2]
         buffer = Buffer(np.empty(size, np.float32), np.empty(size, np.int16))
         corner = np.array([v0, u0], np.int64)
-        for k, (now, pixels) in enumerate(zip(moments, boxes, strict=True)):
+        for k, (now, pixels) in enumerate(zip(part.moments, boxes, strict=True)):
             rays = PixelRays(view.rays, view.pitch, JITTER_PX[k] / self._K[:2], view.eye, corner)
             draw(rays, pixels, now.solids, buffer)
             patches = self._patches._replace(position=now.markers[self._order])
             shade_knit(rays, buffer, now, self._cloth(now), patches, around, total)
-        total *= np.float32(1 / len(moments))
+        total *= np.float32(1 / len(part.moments))
         view.light[v0:v1, u0:u1] = cv2.GaussianBlur(total, (0, 0), self.light.blur_px)
         return _Box(int(u0), int(v0), int(u1), int(v1))
 
