@@ -9731,6 +9731,16 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>The lamps flicker at {lamp_hz} Hz, and the brightness of images varies by ±{percent:.0f} %. Set the camera's power-line frequency to {mains_hz} Hz, or its exposure to a multiple of 1/{lamp_hz} s.</source>
+      <translation>Die Lampen flimmern mit {lamp_hz} Hz, und die Helligkeit der Bilder schwankt um ±{percent:.0f} %. Stellen Sie die Netzfrequenz der Kamera auf {mains_hz} Hz oder ihre Belichtungszeit auf ein Vielfaches von 1/{lamp_hz} s.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The brightness of images no longer flickers.</source>
+      <translation>Die Helligkeit der Bilder flimmert nicht mehr.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>The camera {camera} is connected.</source>
       <translation>Die Kamera {camera} ist verbunden.</translation>
     </message>

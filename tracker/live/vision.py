@@ -9,6 +9,7 @@ from tracker.base.channels import Latest
 from tracker.live.inbox import DetectedFrame, Inbox
 from tracker.live.loop import LiveLoop
 from tracker.messages import Shed, StereoFrame
+from tracker.online.flicker_watch import FlickerWatch
 from tracker.sensors.image_watch import SilenceWatch
 from tracker.vision.colours import ColourProfile
 from tracker.vision.detector import DetectionHints, Detector, detect_frame
@@ -36,7 +37,7 @@ class Vision:
         self._make_detector, self._detector = make_detector, make_detector(profile)
         self._inbox, self._loop = inbox, loop
         self._plan = SearchPlan()
-        self._silence = SilenceWatch()
+        self._silence, self._lamps = SilenceWatch(), FlickerWatch()
         self._last = -math.inf  # stamp of the last image that was searched
         self._shed = self._missed = 0
 
@@ -45,7 +46,10 @@ class Vision:
         loop = self._loop
         frame = self.images.get(WAIT)
         self._notice_silence(frame)
-        if frame is None or self._is_shed(frame):
+        if frame is None:
+            return
+        self._notice_flicker(frame)
+        if self._is_shed(frame):
             return
         if self._detector.profile is not self.profile:
             self._detector = self._make_detector(self.profile)
@@ -73,6 +77,13 @@ class Vision:
         sparing = loop.load.level >= Shed.WHOLE_SEARCHES
         predicted, rig = loop.predicted, loop.rig
         return self._plan.hints(predicted, rig, frame.t, frame.pose, names, sparing)
+
+    def _notice_flicker(self, frame: StereoFrame) -> None:
+        """Report lamps that flicker."""
+        image = frame.left if frame.left is not None else frame.right
+        if image is not None:
+            self._lamps.look(image, frame.t, frame.index)
+            self._loop.journal.report_all("device", self._lamps)
 
     def _notice_silence(self, frame: StereoFrame | None) -> None:
         """Report a device that hangs in a call that never returns."""

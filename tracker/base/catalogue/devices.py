@@ -24,6 +24,12 @@ TEXTS = {
         "All markers have jumped by {jump_px:.0f} pixels at once: the camera was moved. "
         "Positions now refer to its new location."
     ),
+    "camera.lamps_flicker": (
+        "The lamps flicker at {lamp_hz} Hz, and the brightness of images varies by "
+        "±{percent:.0f} %. Set the camera's power-line frequency to {mains_hz} Hz, or its exposure "
+        "to a multiple of 1/{lamp_hz} s."
+    ),
+    "camera.lamps_steady": "The brightness of images no longer flickers.",
     "camera.connected": "The camera {camera} is connected.",
     "camera.silent": "The camera {camera} delivers no images. Waiting for it.",
     "camera.file_end": "The end of {camera} is reached.",
