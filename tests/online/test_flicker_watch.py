@@ -10,9 +10,10 @@ import pytest
 
 from tracker.glove import library
 from tracker.online.flicker_watch import FlickerWatch
-from tracker.simulation.camera_errors import IDEAL, JitteredStamps
+from tracker.simulation.camera_errors import IDEAL
 from tracker.simulation.demo import DemoSpec, build
 from tracker.simulation.flicker import Exposure, FlickerParams, brightened, row_gains
+from tracker.simulation.stamps import JitteredStamps
 from tracker.vision.rig import ideal_rig
 
 SECONDS, READOUT, SHUTTER = 5.0, 0.018, 0.004

@@ -7,8 +7,9 @@ import pytest
 
 from tests.fixtures import RESOURCES
 from tracker.simulation.camera_device import SimulatedCamera
-from tracker.simulation.camera_errors import MOST_JITTER, ZED
+from tracker.simulation.camera_errors import ZED
 from tracker.simulation.demo import DemoSpec, build
+from tracker.simulation.stamps import MOST_JITTER
 
 SPEC = DemoSpec(
     (RESOURCES / "hands" / "reference-right.toml").read_text(),

@@ -24,9 +24,9 @@ from tracker.base.notices import warning
 from tracker.base.shared_memory import attached, forget_name, new_memory
 from tracker.messages import Event, StereoFrame
 from tracker.sensors.sources import NoCamera
-from tracker.simulation.camera_errors import JitteredStamps
 from tracker.simulation.demo import DemoSpec, ask, build_scene
 from tracker.simulation.posture_requests import PostureRequest, request_event
+from tracker.simulation.stamps import JitteredStamps
 
 SLOTS = 6
 READY = "ready"

@@ -9,23 +9,15 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-import numpy as np
-
-from tracker.base.clock import nanoseconds, seconds
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 from tracker.simulation.flicker import FlickerParams
 from tracker.simulation.rig_errors import BOARD, RigErrorParams, with_lenses
-from tracker.simulation.smooth import rng_for
 from tracker.vision.rig import StereoRig, with_readout
 
 if TYPE_CHECKING:
     from tracker.simulation.scenario import SimulationParams
 
-MOST_JITTER = 3.0
-"""Standard deviations by which a time stamp is early or late at most."""
-LEAST_STEP = 1e-3
-"""s between the time stamps of two images."""
 ROOM_LAMP = FlickerParams(depth=0.1)
 ALL, NONE = "all", "none"
 
@@ -85,19 +77,3 @@ def errors_named(names: str, one_camera: bool = False) -> CameraErrors:
             )
     fields = [FIELDS[name] for name in chosen]
     return replace(IDEAL, **{field: getattr(real, field) for field in fields})
-
-
-class JitteredStamps:
-    """Adds jitter to the time stamps of images in order, and keeps their order."""
-
-    def __init__(self, sd: float, seed: int) -> None:
-        self._sd, self._rng, self._last = sd, rng_for(seed, "stamps"), -np.inf
-
-    def stamp(self, t: float) -> float:
-        """The stamp (s) of the next image, which was exposed at ``t``."""
-        if self._sd > 0.0:
-            limit = MOST_JITTER * self._sd
-            late = float(np.clip(self._rng.normal(0, self._sd), -limit, limit))
-            t = seconds(nanoseconds(max(t + late, self._last + LEAST_STEP)))
-        self._last = t
-        return t

@@ -21,7 +21,6 @@ from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array, BlobFrame, CameraImuSample, ImuSample, StereoFrame
-from tracker.simulation.camera_errors import JitteredStamps
 from tracker.simulation.desk.renderer import DeskParams, DeskRenderer
 from tracker.simulation.flicker import FlickerParams
 from tracker.simulation.head import Head, HeadParams
@@ -32,6 +31,7 @@ from tracker.simulation.render import Renderer, RenderParams
 from tracker.simulation.rig_errors import RigErrorParams, true_camera
 from tracker.simulation.scene import BlobParams, Extra, SimulatedScene
 from tracker.simulation.smooth import rng_for
+from tracker.simulation.stamps import JitteredStamps
 from tracker.simulation.wearer import Wearer, WearerParams
 from tracker.vision.rig import StereoRig, ideal_rig
 
