@@ -260,7 +260,9 @@ def test_a_port_in_use_is_reported_in_the_panel(window, qtbot):
         window.remote.switch("udp", True)
         qtbot.waitUntil(lambda: "udp" in window.remote.problems, timeout=10_000)
     cells = window.panels["streams"].remote.cells["udp"]
-    assert "not open" in cells["state"].text() and "cannot start" in cells["state"].toolTip()
+    assert "not open" in cells["state"].text() and shows(
+        cells["state"].toolTip(), "remote.not_started"
+    )
 
 
 def test_the_command_line_opens_interfaces_for_one_run(window, qtbot):

@@ -17,7 +17,7 @@ from extensions.robot.tests.hands import wearer, wearer_model
 from extensions.robot.tests.other_hands import BONES, THUMB, written
 from extensions.robot.wearer_hand import FINGERS
 from glovetrack.conventions import R_B_OPERATOR
-from tests.notices import raises
+from tests.notices import raises, shows
 from tracker.base.errors import ConfigError, FileError
 from tracker.base.frozen_dict import FrozenDict
 from tracker.cli import main
@@ -213,7 +213,7 @@ def test_the_command_lists_fingers_and_writes_links_that_teleop_reads(
     assert "link_3.0_tip" in capsys.readouterr().out
     assert main(["robot-hand", str(path), "--fingers", "thumb="]) == 1
     shown = capsys.readouterr()
-    assert "link_3.0_tip" in shown.out and "not found" in shown.err
+    assert "link_3.0_tip" in shown.out and shows(shown.err, "robot.no_fingers")
 
 
 def test_a_damaged_urdf_is_an_error(tmp_path: Path) -> None:
