@@ -40,7 +40,7 @@ NOT_WRITTEN = {
     *("--remote", "--remote-host", "--send", "--set", "--settings", "--stream", "--stream-host"),
     *("words", "--task", "--to", "--views", "--wearer", "--model", "--kinds", "--by", "--gaps"),
     *("--folder", "--only", "reference", "--mapping", "--start", "--pulse", "--side", "model"),
-    *("--fingers", "protocol", "--participant", "--variants"),
+    *("--fingers", "protocol", "--participant", "--variants", "--camera-errors"),
 }
 """Those that name what is read, devices, addresses, and other text."""
 
