@@ -29,7 +29,7 @@ from app.words import notice_text, tr
 from tracker.base.clock import ClockAnchor
 from tracker.base.errors import DeviceError, GlovetrackError
 from tracker.base.notices import Notice, notice
-from tracker.calibration.stereo.files import ImportForm, load_rig
+from tracker.calibration.stereo.files import MissingFacts, load_rig
 from tracker.engine.hands import Hands
 from tracker.engine.kinds import WITHOUT_CAMERA, settings_text
 from tracker.engine.pipeline import Pipeline
@@ -56,7 +56,7 @@ INERTIAL = Settings(engine=WITHOUT_CAMERA)
 
 
 @dataclass(frozen=True)
-class Found:
+class FoundDevices:
     """The devices that were found; ``missing`` lists those that were not, and why."""
 
     gloves: tuple[HandGlove, ...]
@@ -150,7 +150,7 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
 
 
 def _camera_part(
-    found: Found, camera: StereoCamera | None, rig: StereoRig, calibration: str
+    found: FoundDevices, camera: StereoCamera | None, rig: StereoRig, calibration: str
 ) -> CameraPart:
     """``rig`` is an ideal one if there is no calibration; ``calibration`` the path of its file."""
     chosen = found.camera
@@ -181,7 +181,7 @@ class OpenCamera:
         return self._camera.unfit
 
 
-def find_devices(progress: JobProgress, settings: AppSettings) -> Found:
+def find_devices(progress: JobProgress, settings: AppSettings) -> FoundDevices:
     """Search gloves, calibration and camera. Raises DeviceError if there is no device."""
     missing: list[Notice] = []
     found = _unless_missing(lambda: find_hand_gloves(progress, settings), missing)
@@ -202,7 +202,7 @@ def find_devices(progress: JobProgress, settings: AppSettings) -> Found:
     if gloves and not (rig and camera):
         missing.append(notice("window.imus_alone"))
     remarks = found.remarks if found is not None else ()
-    return Found(gloves, camera, rig, (*map(notice_text, missing), *remarks), calibration)
+    return FoundDevices(gloves, camera, rig, (*map(notice_text, missing), *remarks), calibration)
 
 
 def _unless_missing(find: Callable[[], T], missing: list[Notice]) -> T | None:
@@ -263,4 +263,4 @@ def rig_of(calibration: str, fps: float = FPS) -> StereoRig:
     """The calibration that the user chose, of a stereo or a single camera. Raises DeviceError."""
     if not calibration:
         raise DeviceError(notice("window.no_rig"))
-    return load_rig(Path(calibration), ImportForm(WIDTH, HEIGHT, fps=fps))
+    return load_rig(Path(calibration), MissingFacts(WIDTH, HEIGHT, fps=fps))

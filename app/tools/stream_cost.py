@@ -46,7 +46,7 @@ MEDIAN, HIGH = "latency_imu_ms", "latency_imu_p99_ms"
 
 
 @dataclass
-class Turn:
+class StreamTurn:
     """ms, each the median over the turn; ``sent`` by stream."""
 
     median_ms: float
@@ -60,8 +60,8 @@ class Cost:
 
     streams: list[str]
     apart: bool
-    off: list[Turn] = field(default_factory=list)
-    on: list[Turn] = field(default_factory=list)
+    off: list[StreamTurn] = field(default_factory=list)
+    on: list[StreamTurn] = field(default_factory=list)
     received: dict[str, int] = field(default_factory=dict)
     loads: list[float] = field(default_factory=list)
     median_ratio: float = float("nan")
@@ -190,7 +190,7 @@ def _switch(window: MainWindow, names: Sequence[str], on: bool) -> None:
         raise SystemExit(f"The streams could not be switched: {outputs.problems}.")
 
 
-def _turn(window: MainWindow, names: Sequence[str], seconds: float) -> Turn:
+def _turn(window: MainWindow, names: Sequence[str], seconds: float) -> StreamTurn:
     from app.window.headless_report import wait_until
 
     looks: list[tuple[float, float]] = []
@@ -203,7 +203,7 @@ def _turn(window: MainWindow, names: Sequence[str], seconds: float) -> Turn:
     median, high = np.median(looks, axis=0)
     counts = {name: window.outputs.counts(name) for name in names}
     sent = {name: found.sent for name, found in counts.items() if found is not None}
-    return Turn(round(float(median), 3), round(float(high), 3), sent)
+    return StreamTurn(round(float(median), 3), round(float(high), 3), sent)
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ from app.viewmodels.made_skins import MADE, PATCH_FACES, PATCH_POINTS
 from app.viewmodels.states import NEUTRAL, VALIDITY
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
-from tracker.hand.skin.posing import Rest, posed, rest_of
+from tracker.hand.skin.posing import RestingSkin, posed, rest_of
 from tracker.messages import Array, Calibration, IntArray, Validity
 
 LOOK = 7  # values per point: red, green, blue, opacity, ambient, hatch, dots
@@ -59,8 +59,8 @@ class HandSkin:
 
     def _fit(self, scale: Array) -> None:
         self._scale = scale
-        self._rest: Rest = rest_of(self.skin, self._hand, scale)
-        self._rest_patches: Rest = rest_of(self.patches, self._hand, scale)
+        self._rest: RestingSkin = rest_of(self.skin, self._hand, scale)
+        self._rest_patches: RestingSkin = rest_of(self.patches, self._hand, scale)
 
     def fit(self, scale: Array) -> None:
         """Resize for a wearer whose segments are ``scale`` (S, 3) times those of the file."""

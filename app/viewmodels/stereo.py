@@ -17,7 +17,7 @@ from tracker.calibration.stereo.checks import (
     quality_problems,
     rig_problems,
 )
-from tracker.calibration.stereo.collect import Answer
+from tracker.calibration.stereo.collect import ExposureResult
 from tracker.calibration.stereo.coverage import Coverage, CoverageParams, advice, shape_of
 from tracker.calibration.stereo.solve import Solution
 from tracker.calibration.stereo.verify import Verification
@@ -26,10 +26,10 @@ from tracker.geometry import so3
 from tracker.vision.rig import Camera, StereoRig
 
 ANSWERS = {
-    Answer.TAKEN: mark("View taken."),
-    Answer.MOVING: mark("Hold the board still."),
-    Answer.KNOWN: mark("There is already a similar view. Move the board."),
-    Answer.FULL: mark("There are enough views."),
+    ExposureResult.TAKEN: mark("View taken."),
+    ExposureResult.MOVING: mark("Hold the board still."),
+    ExposureResult.KNOWN: mark("There is already a similar view. Move the board."),
+    ExposureResult.FULL: mark("There are enough views."),
 }
 VERDICTS: dict[str, StateLook] = {"good": GOOD, "usable": WARN, "refused": BAD, "waiting": IDLE}
 
@@ -69,14 +69,14 @@ def meters(cover: Coverage, params: CoverageParams | None = None) -> list[Meter]
     ]
 
 
-def say(answer: Answer, trouble: Notice | None, cover: Coverage) -> str:
+def say(answer: ExposureResult, trouble: Notice | None, cover: Coverage) -> str:
     """The message below the images."""
     more = advice(cover)
     if more is None:
         return tr("There are enough views. Press Calibrate.")
-    if answer is Answer.ABSENT:
+    if answer is ExposureResult.ABSENT:
         return notice_text(trouble) if trouble is not None else ""
-    if answer is Answer.TAKEN:
+    if answer is ExposureResult.TAKEN:
         return f"{tr(ANSWERS[answer])} {notice_text(more)}"
     return tr(ANSWERS[answer])
 

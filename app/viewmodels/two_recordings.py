@@ -16,8 +16,8 @@ from tracker.base.clock import NS
 from tracker.base.errors import FileError
 from tracker.messages import Array, StereoFrame, Validity
 from tracker.session.align import (
-    Alignment,
     Match,
+    SessionAlignment,
     alignment_path,
     best_match,
     course_of_angles,
@@ -107,7 +107,7 @@ class TwoRecordings:
         path = alignment_path(self.second.path)
         by_clock = (self.second.wall_ns - self.first.wall_ns) / NS
         names = self.first.path.name, self.second.path.name
-        keep(Alignment(*names, "hand", offset, offset - by_clock), path, force=True)
+        keep(SessionAlignment(*names, "hand", offset, offset - by_clock), path, force=True)
         return path
 
     @property

@@ -49,7 +49,7 @@ ICON = QSize(18, 18)
 
 
 @dataclass(frozen=True)
-class Command:
+class MenuCommand:
     """``menu`` is its translated title; ``key`` stable for tests."""
 
     key: str
@@ -79,7 +79,7 @@ class Commands:
         """All, in their order."""
         return list(self._menus.values())
 
-    def add(self, command: Command) -> QAction:
+    def add(self, command: MenuCommand) -> QAction:
         action = QAction(command.text, self._window)
         action.setCheckable(command.checkable or command.ticked is not None)
         if command.shortcut:

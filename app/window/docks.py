@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QDockWidget, QMainWindow
 
 from app.panels.panel import Panel
 from app.widgets.scrolled import Scrolled
-from app.window.commands import Command, Commands
+from app.window.commands import Commands, MenuCommand
 from app.window.layouts import LEFT, Docks, Shares, resize, shares_of
 
 SMALLEST = (800, 500)
@@ -49,7 +49,9 @@ def list_docks(
         keys = "" if keys in taken else keys
         taken.add(keys)
         run = partial(show, name)
-        commands.add(Command(f"dock_{name}", menu, dock.windowTitle(), run, keys, separator=first))
+        commands.add(
+            MenuCommand(f"dock_{name}", menu, dock.windowTitle(), run, keys, separator=first)
+        )
         first = False
 
 

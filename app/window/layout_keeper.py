@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QMainWindow, QMenu
 
 from app.storage.settings import SettingsStore
 from app.widgets.question import answer, choice
-from app.window.commands import Command, Commands
+from app.window.commands import Commands, MenuCommand
 from app.window.docks import DockShares
 from app.window.layouts import (
     REPLAY_NEEDS,
@@ -53,7 +53,7 @@ class LayoutKeeper(QObject):
         """Add the menu; returns the actions of the jobs, by the names of their icons."""
         menu = self.tr("&Layout")
         for i, job in enumerate(self.jobs.values(), start=1):
-            command = Command(
+            command = MenuCommand(
                 f"job_{job.name}", menu, title_of(job), partial(self.choose, job.name), f"Alt+{i}"
             )
             self._actions[job.name] = commands.add(command)
@@ -197,7 +197,9 @@ class NamedLayouts(QObject):
             ("delete_layout", self.tr("&Delete layout…"), self._ask_delete),
         ):
             separator = key == "keep_layout"
-            self._changes[key] = commands.add(Command(key, menu, text, run, separator=separator))
+            self._changes[key] = commands.add(
+                MenuCommand(key, menu, text, run, separator=separator)
+            )
         self._menu = commands.menu(menu).addMenu(self.tr("Saved layouts"))
         self._list()
 

@@ -23,7 +23,7 @@ from app.storage.settings import SettingsStore
 from app.viewmodels.recording import RecordingPlan
 from app.widgets.icons import dress, text_by_icon
 from app.window.bug_reports import BugReports
-from app.window.commands import Command, Commands
+from app.window.commands import Commands, MenuCommand
 from app.window.contributions import AddedCommand
 from app.window.dialogs import Dialogs
 from app.window.layout_keeper import LayoutKeeper
@@ -90,12 +90,12 @@ def add_commands(on: Targets, commands: Commands) -> None:
             commands.add(_added(name, added, on.window.tr("E&xtensions")))
 
 
-def _added(name: str, added: AddedCommand, menu: str) -> Command:
+def _added(name: str, added: AddedCommand, menu: str) -> MenuCommand:
     """A command that a package has declared."""
-    return Command(name, menu, added.title, added.run, added.shortcut)
+    return MenuCommand(name, menu, added.title, added.run, added.shortcut)
 
 
-def _file(on: Targets) -> list[Command]:
+def _file(on: Targets) -> list[MenuCommand]:
     w = on.window
     menu = w.tr("&File")
 
@@ -107,47 +107,51 @@ def _file(on: Targets) -> list[Command]:
         on.library.ask_export(opened_first=True)
 
     return [
-        Command("demo", menu, w.tr("Start the &demo"), on.sources.open_demo, "Ctrl+D"),
-        Command("hardware", menu, w.tr("&Glove and camera"), on.sources.open_devices, "Ctrl+G"),
-        Command("open", menu, w.tr("&Open recording…"), choose_session, "Ctrl+O"),
-        Command("export", menu, w.tr("&Export…"), export_selected, "Ctrl+E"),
-        Command("close", menu, w.tr("&Close"), on.host.shut_down, "Ctrl+W"),
-        Command("quit", menu, w.tr("&Quit"), w.close, "Ctrl+Q", separator=True),
+        MenuCommand("demo", menu, w.tr("Start the &demo"), on.sources.open_demo, "Ctrl+D"),
+        MenuCommand("hardware", menu, w.tr("&Glove and camera"), on.sources.open_devices, "Ctrl+G"),
+        MenuCommand("open", menu, w.tr("&Open recording…"), choose_session, "Ctrl+O"),
+        MenuCommand("export", menu, w.tr("&Export…"), export_selected, "Ctrl+E"),
+        MenuCommand("close", menu, w.tr("&Close"), on.host.shut_down, "Ctrl+W"),
+        MenuCommand("quit", menu, w.tr("&Quit"), w.close, "Ctrl+Q", separator=True),
     ]
 
 
-def _set_up(on: Targets) -> list[Command]:
+def _set_up(on: Targets) -> list[MenuCommand]:
     w = on.window
     menu = w.tr("&Set-up")
     return [
-        Command("glove_setup", menu, w.tr("&Glove…"), on.set_up.open_glove, "Ctrl+Shift+G"),
-        Command("imu_positions", menu, w.tr("&IMU accuracy…"), on.set_up.open_positions),
-        Command("firmware", menu, w.tr("Glove &firmware…"), on.set_up.open_firmware),
-        Command(
+        MenuCommand("glove_setup", menu, w.tr("&Glove…"), on.set_up.open_glove, "Ctrl+Shift+G"),
+        MenuCommand("imu_positions", menu, w.tr("&IMU accuracy…"), on.set_up.open_positions),
+        MenuCommand("firmware", menu, w.tr("Glove &firmware…"), on.set_up.open_firmware),
+        MenuCommand(
             "both_hands",
             menu,
             w.tr("&Both hands"),
             on.sources.toggle_both_hands,
             ticked=lambda: w.store.value.both_hands,
         ),
-        Command("camera_setup", menu, w.tr("&Camera…"), on.set_up.open_camera),
-        Command("stereo", menu, w.tr("Camera c&alibration…"), on.set_up.open_stereo),
-        Command("guided", menu, w.tr("Guided &poses…"), on.set_up.open_guided, "F6"),
-        Command("save_wearer", menu, w.tr("Save &wearer profile…"), on.calibration.wearer.ask_name),
-        Command("lock_camera", menu, w.tr("&Lock the current exposure"), on.set_up.lock_camera),
+        MenuCommand("camera_setup", menu, w.tr("&Camera…"), on.set_up.open_camera),
+        MenuCommand("stereo", menu, w.tr("Camera c&alibration…"), on.set_up.open_stereo),
+        MenuCommand("guided", menu, w.tr("Guided &poses…"), on.set_up.open_guided, "F6"),
+        MenuCommand(
+            "save_wearer", menu, w.tr("Save &wearer profile…"), on.calibration.wearer.ask_name
+        ),
+        MenuCommand("lock_camera", menu, w.tr("&Lock the current exposure"), on.set_up.lock_camera),
     ]
 
 
-def _tracking(on: Targets) -> list[Command]:
+def _tracking(on: Targets) -> list[MenuCommand]:
     w = on.window
     menu = w.tr("&Tracking")
     return [
-        Command("start", menu, w.tr("&Start tracking"), on.host.start, "F5"),
-        Command("stop", menu, w.tr("S&top tracking"), on.host.stop, "Shift+F5"),
-        Command("record", menu, w.tr("&Record"), on.record_key.press, "Space", separator=True),
-        Command("pause", menu, w.tr("&Pause recording"), on.host.recording.toggle_pause, "Ctrl+P"),
-        Command("note", menu, w.tr("Add a &note…"), on.checks.ask_note, "N"),
-        Command(
+        MenuCommand("start", menu, w.tr("&Start tracking"), on.host.start, "F5"),
+        MenuCommand("stop", menu, w.tr("S&top tracking"), on.host.stop, "Shift+F5"),
+        MenuCommand("record", menu, w.tr("&Record"), on.record_key.press, "Space", separator=True),
+        MenuCommand(
+            "pause", menu, w.tr("&Pause recording"), on.host.recording.toggle_pause, "Ctrl+P"
+        ),
+        MenuCommand("note", menu, w.tr("Add a &note…"), on.checks.ask_note, "N"),
+        MenuCommand(
             "pose_reset",
             menu,
             w.tr("R&eset pose"),
@@ -155,17 +159,17 @@ def _tracking(on: Targets) -> list[Command]:
             w.store.value.pose_reset_key,
             separator=True,
         ),
-        Command("pose_reset_setup", menu, w.tr("Pose reset sett&ings…"), w.set_up_pose_reset),
+        MenuCommand("pose_reset_setup", menu, w.tr("Pose reset sett&ings…"), w.set_up_pose_reset),
         *_engines(on, menu),
     ]
 
 
-def _engines(on: Targets, menu: str) -> list[Command]:
+def _engines(on: Targets, menu: str) -> list[MenuCommand]:
     w = on.window
     kinds = engine_kinds()
     titles = {name: w.tr("Engine: {}").format(tr(kind.title)) for name, kind in kinds.items()}
     return [
-        Command(
+        MenuCommand(
             f"engine_{n}",
             menu,
             title,
@@ -177,31 +181,31 @@ def _engines(on: Targets, menu: str) -> list[Command]:
     ]
 
 
-def _replay(on: Targets) -> list[Command]:
+def _replay(on: Targets) -> list[MenuCommand]:
     w, bar = on.window, on.library.transport
     side_by_side = partial(on.library.compare_selected, beside=True)
     menu = w.tr("&Replay")
     return [
-        Command("live", menu, w.tr("Return to li&ve tracking"), on.sources.go_live, "Ctrl+L"),
-        Command("play", menu, w.tr("&Play or pause"), bar.toggle, "Ctrl+Space", separator=True),
-        Command("step_back", menu, w.tr("Previous &image"), lambda: bar.step(-1), ","),
-        Command("step", menu, w.tr("&Next image"), lambda: bar.step(1), "."),
-        Command("note_before", menu, w.tr("Previous no&te"), lambda: bar.jump(-1), "Ctrl+,"),
-        Command("note_after", menu, w.tr("Next n&ote"), lambda: bar.jump(1), "Ctrl+."),
-        Command(
+        MenuCommand("live", menu, w.tr("Return to li&ve tracking"), on.sources.go_live, "Ctrl+L"),
+        MenuCommand("play", menu, w.tr("&Play or pause"), bar.toggle, "Ctrl+Space", separator=True),
+        MenuCommand("step_back", menu, w.tr("Previous &image"), lambda: bar.step(-1), ","),
+        MenuCommand("step", menu, w.tr("&Next image"), lambda: bar.step(1), "."),
+        MenuCommand("note_before", menu, w.tr("Previous no&te"), lambda: bar.jump(-1), "Ctrl+,"),
+        MenuCommand("note_after", menu, w.tr("Next n&ote"), lambda: bar.jump(1), "Ctrl+."),
+        MenuCommand(
             "in_point", menu, w.tr("Set the &start of the range"), bar.set_in, "I", separator=True
         ),
-        Command("out_point", menu, w.tr("Set the &end of the range"), bar.set_out, "O"),
-        Command("whole", menu, w.tr("&Clear the range"), bar.clear_range),
-        Command("crop", menu, w.tr("C&rop to a new session"), on.library.crop),
-        Command("loop", menu, w.tr("&Loop"), bar.toggle_loop, "L"),
-        Command("again", menu, w.tr("Track &again…"), on.library.ask_track, separator=True),
-        Command("compare", menu, w.tr("Co&mpare two sessions"), on.library.compare_selected),
-        Command("beside", menu, w.tr("Two recordings side by si&de"), side_by_side),
+        MenuCommand("out_point", menu, w.tr("Set the &end of the range"), bar.set_out, "O"),
+        MenuCommand("whole", menu, w.tr("&Clear the range"), bar.clear_range),
+        MenuCommand("crop", menu, w.tr("C&rop to a new session"), on.library.crop),
+        MenuCommand("loop", menu, w.tr("&Loop"), bar.toggle_loop, "L"),
+        MenuCommand("again", menu, w.tr("Track &again…"), on.library.ask_track, separator=True),
+        MenuCommand("compare", menu, w.tr("Co&mpare two sessions"), on.library.compare_selected),
+        MenuCommand("beside", menu, w.tr("Two recordings side by si&de"), side_by_side),
     ]
 
 
-def _camera(on: Targets) -> list[Command]:
+def _camera(on: Targets) -> list[MenuCommand]:
     w = on.window
     menu = w.tr("&Images")
 
@@ -210,18 +214,18 @@ def _camera(on: Targets) -> list[Command]:
         on.cameras.right.fit()
 
     return [
-        Command("freeze", menu, w.tr("&Freeze images"), on.cameras.freeze.toggle, "F"),
-        Command("fit", menu, w.tr("&Whole image"), fit_images, "Ctrl+0"),
-        Command("view_back", menu, w.tr("Hand from the &back"), _look(on, "back"), "1"),
-        Command("view_palm", menu, w.tr("Hand from the &palm"), _look(on, "palm"), "2"),
-        Command("view_side", menu, w.tr("Hand from the &side"), _look(on, "side"), "3"),
-        Command("view_camera", menu, w.tr("Hand from the &camera"), _look(on, "camera"), "4"),
-        Command("undo", menu, w.tr("&Undo colour change"), on.colours.undo, "Ctrl+Z"),
-        Command("redo", menu, w.tr("&Redo colour change"), on.colours.redo, "Ctrl+Y"),
+        MenuCommand("freeze", menu, w.tr("&Freeze images"), on.cameras.freeze.toggle, "F"),
+        MenuCommand("fit", menu, w.tr("&Whole image"), fit_images, "Ctrl+0"),
+        MenuCommand("view_back", menu, w.tr("Hand from the &back"), _look(on, "back"), "1"),
+        MenuCommand("view_palm", menu, w.tr("Hand from the &palm"), _look(on, "palm"), "2"),
+        MenuCommand("view_side", menu, w.tr("Hand from the &side"), _look(on, "side"), "3"),
+        MenuCommand("view_camera", menu, w.tr("Hand from the &camera"), _look(on, "camera"), "4"),
+        MenuCommand("undo", menu, w.tr("&Undo colour change"), on.colours.undo, "Ctrl+Z"),
+        MenuCommand("redo", menu, w.tr("&Redo colour change"), on.colours.redo, "Ctrl+Y"),
     ]
 
 
-def _view(on: Targets) -> list[Command]:
+def _view(on: Targets) -> list[MenuCommand]:
     w = on.window
     menu = w.tr("&View")
     views = {
@@ -235,10 +239,10 @@ def _view(on: Targets) -> list[Command]:
         "system": w.tr("Theme: s&ystem"),
     }
     return [
-        Command("palette", menu, w.tr("&Command palette…"), on.dialogs.palette, "Ctrl+K"),
-        Command("latencies", menu, w.tr("Latency p&er stage"), on.bar.show_latencies),
-        Command("reset_layout", menu, w.tr("&Reset layout"), on.layouts.reset, "Ctrl+Shift+0"),
-        Command("fullscreen", menu, w.tr("&Full screen"), on.dialogs.full_screen, "F11"),
+        MenuCommand("palette", menu, w.tr("&Command palette…"), on.dialogs.palette, "Ctrl+K"),
+        MenuCommand("latencies", menu, w.tr("Latency p&er stage"), on.bar.show_latencies),
+        MenuCommand("reset_layout", menu, w.tr("&Reset layout"), on.layouts.reset, "Ctrl+Shift+0"),
+        MenuCommand("fullscreen", menu, w.tr("&Full screen"), on.dialogs.full_screen, "F11"),
         *_hands(on, menu),
         *_choices(on, menu, ("view", "view_3d"), views, on.hand.chooser.choose),
         *_choices(on, menu, ("theme", "theme"), themes, w.set_theme),
@@ -246,7 +250,7 @@ def _view(on: Targets) -> list[Command]:
     ]
 
 
-def _hands(on: Targets, menu: str) -> list[Command]:
+def _hands(on: Targets, menu: str) -> list[MenuCommand]:
     """Commands that choose which of two hands the panels show."""
     w = on.window
     titles = {"left": w.tr("Show the left &hand"), "right": w.tr("Show the r&ight hand")}
@@ -255,7 +259,7 @@ def _hands(on: Targets, menu: str) -> list[Command]:
         return on.host.setup is not None and on.host.setup.side == side
 
     return [
-        Command(
+        MenuCommand(
             f"hand_{side}",
             menu,
             title,
@@ -274,10 +278,10 @@ def _choices(
     names: tuple[str, str],
     titles: Mapping[str, str],
     choose: Callable[[str], None],
-) -> list[Command]:
+) -> list[MenuCommand]:
     """A command per choice, checked if selected; ``names`` of the commands and of the setting."""
     return [
-        Command(
+        MenuCommand(
             f"{names[0]}_{value}",
             menu,
             title,
@@ -297,15 +301,15 @@ def add_help(on: Targets, commands: Commands) -> None:
     """Add the last menu, after the docks have been listed under View."""
     w = on.window
     menu = w.tr("&Help")
-    commands.add(Command("guide", menu, w.tr("&Guide"), on.dialogs.guide, "F1"))
+    commands.add(MenuCommand("guide", menu, w.tr("&Guide"), on.dialogs.guide, "F1"))
     if site() is not None:
         text = w.tr("Open &documentation in the browser")
-        commands.add(Command("documentation", menu, text, on.dialogs.documentation))
-    commands.add(Command("keys", menu, w.tr("&Keyboard shortcuts"), on.dialogs.keys, "Ctrl+F1"))
+        commands.add(MenuCommand("documentation", menu, text, on.dialogs.documentation))
+    commands.add(MenuCommand("keys", menu, w.tr("&Keyboard shortcuts"), on.dialogs.keys, "Ctrl+F1"))
     text = w.tr("&Check computer and devices…")
-    commands.add(Command("doctor", menu, text, on.reports.examine))
-    commands.add(Command("report", menu, w.tr("Save a &bug report…"), on.reports.ask))
-    commands.add(Command("about", menu, w.tr("&About Glovetrack"), on.dialogs.about))
+    commands.add(MenuCommand("doctor", menu, text, on.reports.examine))
+    commands.add(MenuCommand("report", menu, w.tr("Save a &bug report…"), on.reports.ask))
+    commands.add(MenuCommand("about", menu, w.tr("&About Glovetrack"), on.dialogs.about))
 
 
 def enable_commands(on: Targets, commands: Commands) -> None:
@@ -342,7 +346,7 @@ def enable_commands(on: Targets, commands: Commands) -> None:
     dress(action, "circle-stop" if recording else "circle-dot")
 
 
-def _languages(on: Targets, menu: str) -> list[Command]:
+def _languages(on: Targets, menu: str) -> list[MenuCommand]:
     """Complete translations, by their native names; none where only English is available."""
     codes = languages()
     if len(codes) < 2:
@@ -351,7 +355,7 @@ def _languages(on: Targets, menu: str) -> list[Command]:
     own[ENGLISH] = QLocale.languageToString(QLocale(ENGLISH).language())  # not "American English"
     titles = {SYSTEM: on.window.tr("Language: system default"), **own}
     return [
-        Command(
+        MenuCommand(
             f"language_{code}",
             menu,
             title,

@@ -41,7 +41,7 @@ TURN = Matrix(((0, 1, 0), (-1, 0, 0), (0, 0, 1)))
 """A bone's axes in those of its segment: Y along x."""
 
 
-class Keypoint(NamedTuple):
+class KeypointPose(NamedTuple):
     """One keypoint of an estimate: its pose in the world, None if it is lost."""
 
     pose: Matrix | None
@@ -49,7 +49,7 @@ class Keypoint(NamedTuple):
     sd: float  # m; -1 if it is lost
 
 
-Hand = dict[str, Keypoint]
+Hand = dict[str, KeypointPose]
 
 
 def pose_of(position: list[float], xyzw: list[float]) -> Matrix:
@@ -136,15 +136,15 @@ def hands_of_csv(path: Path) -> list[tuple[float, Hand]]:
     return [(float(row["t"]), {name: _of_row(row, name) for name in names}) for row in rows]
 
 
-def _of_row(row: dict[str, str], name: str) -> Keypoint:
+def _of_row(row: dict[str, str], name: str) -> KeypointPose:
     state = row[f"{name}_state"]
     if state == "lost":
-        return Keypoint(None, state, -1.0)
+        return KeypointPose(None, state, -1.0)
     position, turn = (
         [float(row[f"{name}_{axis}"]) for axis in axes]
         for axes in (("x", "y", "z"), ("qx", "qy", "qz", "qw"))
     )
-    return Keypoint(pose_of(position, turn), state, float(row[f"{name}_sd"]))
+    return KeypointPose(pose_of(position, turn), state, float(row[f"{name}_sd"]))
 
 
 def import_csv(path: Path, side: str) -> HandArmature:
@@ -200,11 +200,11 @@ def hand_of_message(data: bytes) -> tuple[str, Hand]:
         raise ValueError(f"not a message of Glovetrack with keypoints: {error!r}") from error
 
 
-def _of_point(point: dict) -> Keypoint:
+def _of_point(point: dict) -> KeypointPose:
     if point["state"] == "lost":
-        return Keypoint(None, "lost", -1.0)
+        return KeypointPose(None, "lost", -1.0)
     pose = pose_of(point["position"], point["orientation_xyzw"])
-    return Keypoint(pose, point["state"], float(point["sd"]))
+    return KeypointPose(pose, point["state"], float(point["sd"]))
 
 
 class Receiver:

@@ -11,7 +11,7 @@ from tracker.base.notices import notice
 from tracker.base.terminal import add_json
 
 if TYPE_CHECKING:
-    from extensions.conformance.run import Verdict
+    from extensions.conformance.run import TakeVerdict
 
 SIMULATED = "simulated"  # name of a simulated wearer's page in a folder
 
@@ -90,7 +90,7 @@ def _outputs(out: Path | None, simulated: bool) -> list[Path]:
     return [out, labels_path(take), take] if simulated else [out]
 
 
-def _simulated(args: argparse.Namespace, sides: tuple[str, ...], out: Path | None) -> Verdict:
+def _simulated(args: argparse.Namespace, sides: tuple[str, ...], out: Path | None) -> TakeVerdict:
     """The verdict; record and labels are written next to the page ``out``, if any."""
     from extensions.conformance.isaac.writer import write_records
     from extensions.conformance.run import judge, simulated_takes
@@ -110,7 +110,7 @@ def _simulated(args: argparse.Namespace, sides: tuple[str, ...], out: Path | Non
     return judge(record.name, takes, steps)
 
 
-def _lines(verdict: Verdict) -> list[str]:
+def _lines(verdict: TakeVerdict) -> list[str]:
     lines = []
     for f in verdict.findings:
         if f.status != "pass":

@@ -22,7 +22,7 @@ from tracker.session.reader import SessionReader
 from tracker.session.ros import topics
 
 
-class Arrivals(NamedTuple):
+class ArrivalTimes(NamedTuple):
     """Times (N,) ns since 1970 at which estimates were available, and times on the glove's
     clock."""
 
@@ -32,7 +32,7 @@ class Arrivals(NamedTuple):
 
 def export_isaac(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
     """Write both hands to one file; returns the estimates of the main one."""
-    hands: dict[str, tuple[EstimateSeries, Arrivals]] = {}
+    hands: dict[str, tuple[EstimateSeries, ArrivalTimes]] = {}
     for one in readers_of_hands(reader):
         with one:
             m = load_series(one, options)
@@ -48,7 +48,9 @@ def readers_of_hands(reader: SessionReader) -> Iterator[SessionReader]:
         yield SessionReader(reader.path, side=side)
 
 
-def write_hands(writer: IsaacWriter, hands: Mapping[str, tuple[EstimateSeries, Arrivals]]) -> None:
+def write_hands(
+    writer: IsaacWriter, hands: Mapping[str, tuple[EstimateSeries, ArrivalTimes]]
+) -> None:
     """Write one series per side, in G, in the order of available times."""
     streams = [hand_records(side, *given) for side, given in hands.items()]
     for _, side, record in merge(*streams, key=lambda item: item[0]):
@@ -57,7 +59,7 @@ def write_hands(writer: IsaacWriter, hands: Mapping[str, tuple[EstimateSeries, A
 
 
 def hand_records(
-    side: str, m: EstimateSeries, arrivals: Arrivals
+    side: str, m: EstimateSeries, arrivals: ArrivalTimes
 ) -> Iterator[tuple[int, str, HandRecord]]:
     """Yields (available time in ns, side, record) in order for a series in G."""
     to_monotonic = m.info.anchor.monotonic_ns - m.info.anchor.wall_ns + m.zero_ns
@@ -73,7 +75,7 @@ def hand_records(
         yield stamps.available, side, HandRecord(stamps, joints_of(one))
 
 
-def arrivals(reader: SessionReader, m: EstimateSeries) -> Arrivals:
+def arrivals(reader: SessionReader, m: EstimateSeries) -> ArrivalTimes:
     """Arrival times from the log times of a session's keypoints and the glove's packets.
 
     Times of estimates between recorded ones are interpolated; without a glove clock the sample time
@@ -85,7 +87,7 @@ def arrivals(reader: SessionReader, m: EstimateSeries) -> Arrivals:
     at = m.stamp_ns + m.zero_ns
     delay = np.interp(at - stamp[0], stamp - stamp[0], (log - stamp).astype(float))
     available = m.stamp_ns + np.maximum(np.round(delay), 0).astype(np.int64)
-    return Arrivals(available, _device_ns(reader, m, at))
+    return ArrivalTimes(available, _device_ns(reader, m, at))
 
 
 def _device_ns(reader: SessionReader, m: EstimateSeries, at: IntArray) -> IntArray:

@@ -24,7 +24,7 @@ class Plot:
 
 
 @dataclass(frozen=True, eq=False)
-class Finding:
+class RuleFinding:
     """Result of one rule on one hand: figure and limit. ``advice``: does not affect the verdict."""
 
     layer: str
@@ -37,7 +37,7 @@ class Finding:
     advice: bool = False
 
 
-Rule = Callable[[RecordTake, Sequence[ScriptStep]], Finding]
+Rule = Callable[[RecordTake, Sequence[ScriptStep]], RuleFinding]
 
 
 class LayerJudge:
@@ -45,7 +45,7 @@ class LayerJudge:
 
     def __init__(self, layer: str, take: RecordTake) -> None:
         self._layer, self._take = layer, take
-        self.found: list[Finding] = []
+        self.found: list[RuleFinding] = []
 
     def say(
         self,
@@ -63,5 +63,5 @@ class LayerJudge:
             values = np.asarray(plot[0], float)
             drawn = Plot(self._take.t[: len(values)], values, plot[1], plot[2])
         self.found.append(
-            Finding(self._layer, rule, self._take.side, status, figure, limit, drawn, advice)
+            RuleFinding(self._layer, rule, self._take.side, status, figure, limit, drawn, advice)
         )

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from extensions.conformance.finding import PASS, Finding, Plot
-from extensions.conformance.run import Verdict
+from extensions.conformance.finding import PASS, Plot, RuleFinding
+from extensions.conformance.run import TakeVerdict
 from extensions.conformance.take import ScriptStep
 from tracker import __version__
 from tracker.base.clock import NS
@@ -33,7 +33,7 @@ svg { display: block; max-width: 100% } details summary { cursor: pointer; color
 """
 
 
-def page(verdict: Verdict) -> str:
+def page(verdict: TakeVerdict) -> str:
     """The HTML text."""
     mark = "pass" if verdict.ok else "fail"
     outcome = "All rules passed." if verdict.ok else "Not all rules passed."
@@ -52,7 +52,7 @@ def page(verdict: Verdict) -> str:
     )
 
 
-def as_json(verdict: Verdict) -> dict[str, Any]:
+def as_json(verdict: TakeVerdict) -> dict[str, Any]:
     """The page's content without plots: ``checks`` as specified for the command, and ``findings``
     with the status and whether a rule is only advice."""
     return {
@@ -85,23 +85,23 @@ def as_json(verdict: Verdict) -> dict[str, Any]:
     }
 
 
-def _counts(verdict: Verdict) -> str:
+def _counts(verdict: TakeVerdict) -> str:
     count: dict[str, int] = {}
     for f in verdict.findings:
         count[f.status] = count.get(f.status, 0) + 1
     return ", ".join(f"{n} {status}" for status, n in count.items()) + "."
 
 
-def _span(verdict: Verdict) -> str:
+def _span(verdict: TakeVerdict) -> str:
     parts = [f"{len(t)} records of the {t.side} hand over {t.t[-1]:.1f} s" for t in verdict.takes]
     return " and ".join(parts)
 
 
-def _zero(verdict: Verdict) -> dict[str, int]:
+def _zero(verdict: TakeVerdict) -> dict[str, int]:
     return {t.side: int(t.sample[0]) for t in verdict.takes}
 
 
-def _table(found: Sequence[Finding], steps: Sequence[ScriptStep], zero: dict[str, int]) -> str:
+def _table(found: Sequence[RuleFinding], steps: Sequence[ScriptStep], zero: dict[str, int]) -> str:
     rows = ["<tr><th>rule<th>hand<th>verdict<th>figure<th>limit</tr>"]
     for f in found:
         mark = f.status if f.status in ("pass", "fail") else "unknown"

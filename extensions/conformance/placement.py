@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from extensions.conformance.finding import Finding, LayerJudge
+from extensions.conformance.finding import LayerJudge, RuleFinding
 from extensions.conformance.take import (
     CHAINS,
     KNUCKLES,
@@ -29,7 +29,7 @@ ALONG = 0.7  # of −z with the bone
 TURNED_DEG, APART_DEG = 90.0, 30.0
 
 
-def judge_placement(take: RecordTake, steps: Sequence[ScriptStep]) -> list[Finding]:
+def judge_placement(take: RecordTake, steps: Sequence[ScriptStep]) -> list[RuleFinding]:
     judge = LayerJudge("placement", take)
     _origin(take, judge)
     _frozen(take, judge)

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from extensions.conformance.export import arrivals, hand_records, readers_of_hands
-from extensions.conformance.finding import FAIL, UNKNOWN, Finding
+from extensions.conformance.finding import FAIL, UNKNOWN, RuleFinding
 from extensions.conformance.isaac.reader import read_records
 from extensions.conformance.isaac.record import HandRecord
 from extensions.conformance.placement import judge_placement
@@ -40,22 +40,22 @@ from tracker.session.export.series import recorded_series
 from tracker.session.reader import SessionReader
 from tracker.session.writer import RecorderParams, new_session
 from tracker.simulation.demo import TABLE
-from tracker.simulation.gestures import Cue, Gestures
+from tracker.simulation.gestures import GestureCue, Gestures
 from tracker.simulation.scenario import Simulation
 from tracker.simulation.wearer import Wearer
 from tracker.vision.rig import default_pose, ideal_rig
 
 GLOVES = {"right": "vist-small", "left": "vist-small-left"}
-WARM_UP = (Cue("fist", 1.5, 1.0), Cue("open", 1.0, 1.0)) * 2
+WARM_UP = (GestureCue("fist", 1.5, 1.0), GestureCue("open", 1.0, 1.0)) * 2
 """Shown before the first step, while the hand size is estimated."""
 
 
 @dataclass(frozen=True, eq=False)
-class Verdict:
+class TakeVerdict:
     """Findings on the hands of a take. ``ok``: all rules except advice passed."""
 
     name: str
-    findings: tuple[Finding, ...]
+    findings: tuple[RuleFinding, ...]
     takes: tuple[RecordTake, ...]
     steps: tuple[ScriptStep, ...]
 
@@ -65,18 +65,18 @@ class Verdict:
         return not any(f.status in bad and not f.advice for f in self.findings)
 
 
-def judge(name: str, takes: Sequence[RecordTake], steps: Sequence[ScriptStep]) -> Verdict:
+def judge(name: str, takes: Sequence[RecordTake], steps: Sequence[ScriptStep]) -> TakeVerdict:
     """Apply all rules to all hands. Raises FileError without records."""
     if not takes or not any(len(take) for take in takes):
         raise FileError(notice("conformance.no_records", name=name))
-    findings: list[Finding] = []
+    findings: list[RuleFinding] = []
     with np.errstate(invalid="ignore", divide="ignore"):
         for take in takes:
             findings += judge_signal(take)
             findings += judge_shape(take)
             findings += judge_placement(take, steps)
             findings += judge_steps(take, steps)
-    return Verdict(name, tuple(findings), tuple(takes), tuple(steps))
+    return TakeVerdict(name, tuple(findings), tuple(takes), tuple(steps))
 
 
 def read_take(path: Path, sides: Sequence[str] = ()) -> tuple[list[RecordTake], list[ScriptStep]]:
@@ -119,7 +119,7 @@ def noted_steps(reader: SessionReader) -> list[ScriptStep]:
     return [ScriptStep(label, at, at + round(SCRIPT[label] * NS)) for label, at in found]
 
 
-def cues(side: str) -> tuple[list[Cue], list[str]]:
+def cues(side: str) -> tuple[list[GestureCue], list[str]]:
     """Cues of a simulated wearer of one glove, and the step of each cue ("" for none)."""
     out, labels = list(WARM_UP), [""] * len(WARM_UP)
     for label, hold in SCRIPT.items():
@@ -127,7 +127,7 @@ def cues(side: str) -> tuple[list[Cue], list[str]]:
         shown = gesture.get(label, label)
         if label in GRASPS:
             shown = "fist" if GRASPS[label] == side else "grip"
-        out.append(Cue(shown, BEATS * BEAT, hold))
+        out.append(GestureCue(shown, BEATS * BEAT, hold))
         labels.append(label)
     return out, labels
 

@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from extensions.conformance.finding import Finding, LayerJudge
+from extensions.conformance.finding import LayerJudge, RuleFinding
 from extensions.conformance.take import (
     CHAINS,
     KNUCKLES,
@@ -40,7 +40,7 @@ TOGETHER = 0.003  # m
 MISPLACED = 0.05  # share
 
 
-def judge_shape(take: RecordTake) -> list[Finding]:
+def judge_shape(take: RecordTake) -> list[RuleFinding]:
     judge = LayerJudge("shape", take)
     whole = np.asarray(take.valid[:, REQUIRED].all(axis=1))
     _complete(take, judge, whole)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from extensions.conformance.finding import Finding, LayerJudge
+from extensions.conformance.finding import LayerJudge, RuleFinding
 from extensions.conformance.take import RecordTake
 from tracker.base.clock import NS
 
@@ -16,7 +16,7 @@ FASTEST = 20.0  # m/s
 SHORTEST = 0.004  # s: shorter intervals reflect the clock, not the hand
 
 
-def judge_signal(take: RecordTake) -> list[Finding]:
+def judge_signal(take: RecordTake) -> list[RuleFinding]:
     judge = LayerJudge("signal", take)
     _numbers(take, judge)
     _stamps(take, judge)

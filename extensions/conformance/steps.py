@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from extensions.conformance.finding import Finding, LayerJudge
+from extensions.conformance.finding import LayerJudge, RuleFinding
 from extensions.conformance.placement import angles_deg, hand_axes
 from extensions.conformance.take import (
     GRASPS,
@@ -30,7 +30,7 @@ LEAST = 5  # frames in contact
 TURNED_DEG = 60.0
 
 
-def judge_steps(take: RecordTake, steps: Sequence[ScriptStep]) -> list[Finding]:
+def judge_steps(take: RecordTake, steps: Sequence[ScriptStep]) -> list[RuleFinding]:
     judge = LayerJudge("steps", take)
     if not steps:
         judge.say("scripted steps", None, "no labels", "TAKE.labels.json")

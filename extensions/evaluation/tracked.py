@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from extensions.evaluation.vist.trial import ImageSearch
+from extensions.evaluation.vist.trial import TrialImageSearch
 from tracker.engine.pipeline import Pipeline
 from tracker.hand.names import MARKED_KEYPOINTS
 from tracker.messages import Array, BlobFrame, Estimate, ImuSample, StereoFrame, Tracking, Validity
@@ -33,7 +33,7 @@ def estimates_of(
     progress: Callable[[float], None] = lambda share: None,
 ) -> list[Estimate]:
     """One estimate for each packet."""
-    search, estimates = ImageSearch(simulation), list[Estimate]()
+    search, estimates = TrialImageSearch(simulation), list[Estimate]()
     for message in simulation.messages(images):
         if isinstance(message, ImuSample):
             estimates.append(pipeline.feed_imu(message))

@@ -72,7 +72,9 @@ class FoxglovePublisher:
         self._wall = time.time() - time.monotonic() if wall_offset is None else wall_offset
         self._hands = [_HandChannels(n, DESCRIPTION * i) for i, n in enumerate((names, *others))]
         self._greeting = _greeting(self._hands, session_id=str(time.time_ns()))
-        self._clients: tuple[_Client, ...] = ()  # replaced by the server's thread, never changed
+        self._clients: tuple[
+            _Connection, ...
+        ] = ()  # replaced by the server's thread, never changed
         self._missed = 0  # by clients that have left
         self._closed = False
         self._server = ServerThread(
@@ -128,7 +130,7 @@ class FoxglovePublisher:
             await connection.send(text)
         channels = {channel.id for hand in self._hands for channel in hand.channels()}
         once = {c: text for hand in self._hands for c, text in hand.once.items()}
-        client = _Client(connection, channels, once)
+        client = _Connection(connection, channels, once)
         self._clients += (client,)
         sending = asyncio.create_task(client.queue.send())
         try:
@@ -185,7 +187,7 @@ def _ros_channel(number: int, topic: str, name: str) -> Channel:
     return Channel(number, topic, name, definition(name), "cdr", "ros2msg")
 
 
-class _Client:
+class _Connection:
     """One connection: what it wants, and what waits to be sent."""
 
     def __init__(

@@ -39,10 +39,10 @@ def _hts(options: HtsOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
 
 
 def _mediapipe(options: MediaPipeOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
-    from extensions.landmarks.mediapipe import MediaPipePublisher, View
+    from extensions.landmarks.mediapipe import ImaginedView, MediaPipePublisher
 
     for names in hands:
-        yield MediaPipePublisher(names, View(options.width), options.host, options.port)
+        yield MediaPipePublisher(names, ImaginedView(options.width), options.host, options.port)
 
 
 HTS = StreamKind(

@@ -10,7 +10,7 @@ without the wrist neither line, without a landmark only the wrist's.
 
 from __future__ import annotations
 
-from extensions.landmarks.lines import Lines
+from extensions.landmarks.lines import LineSender
 from extensions.landmarks.points import UNITY_OF_G, WRIST, Landmarks, landmarks_of
 from tracker.base.notices import Notice
 from tracker.geometry import so3
@@ -23,7 +23,7 @@ DECIMALS = 6  # µm
 class HtsPublisher:
     """The lines of one hand; ``owner`` closes what they are sent by."""
 
-    def __init__(self, names: Names, lines: Lines, numbered: bool, owner: bool) -> None:
+    def __init__(self, names: Names, lines: LineSender, numbered: bool, owner: bool) -> None:
         self._names, self._lines, self._numbered, self._owner = names, lines, numbered, owner
         self.name = lines.name
 

@@ -18,7 +18,7 @@ CONNECT_WAIT, RETRY_AFTER = 0.5, 1.0  # s
 MOST_CLIENTS = 16
 
 
-class Lines(Protocol):
+class LineSender(Protocol):
     """Sends lines; of all hands, from a thread of each."""
 
     name: str
@@ -158,12 +158,12 @@ class ServedLines:
             self._clients.clear()
 
 
-def open_lines(transport: str, what: str, host: str, port: int) -> Lines:
+def open_lines(transport: str, what: str, host: str, port: int) -> LineSender:
     """Raises StreamError for an unknown transport, and where it cannot be opened."""
     if transport not in TRANSPORTS:
         raise StreamError(
             notice("option.choice", option="transport", known=TRANSPORTS, value=transport)
         )
-    kinds: dict[str, Callable[[str, str, int], Lines]]
+    kinds: dict[str, Callable[[str, str, int], LineSender]]
     kinds = {UDP: DatagramLines, TCP: ConnectedLines, SERVER: ServedLines}
     return kinds[transport](what, host, port)

@@ -32,7 +32,7 @@ INDEX = {"left": 0, "right": 1}
 
 
 @dataclass(frozen=True)
-class View:
+class ImaginedView:
     """For the imagined camera: ``width`` m that its image shows."""
 
     width: float = 0.8
@@ -51,7 +51,7 @@ class View:
 class MediaPipePublisher:
     """One datagram of JSON for each estimate of a hand."""
 
-    def __init__(self, names: Names, view: View, host: str, port: int) -> None:
+    def __init__(self, names: Names, view: ImaginedView, host: str, port: int) -> None:
         self._names, self._view = names, view
         self.name = f"MediaPipe JSON to {host}:{port}"
         self._socket = DatagramSocket("mediapipe", host, port)
@@ -67,7 +67,7 @@ class MediaPipePublisher:
         self._socket.close()
 
 
-def hand_result(e: Estimate, names: Names, view: View) -> dict[str, Any]:
+def hand_result(e: Estimate, names: Names, view: ImaginedView) -> dict[str, Any]:
     """A HandLandmarkerResult with this hand, or with none where a landmark is lost."""
     hand = landmarks_of(e, names)
     out: dict[str, Any] = {"timestampMs": round(1000 * e.t)}

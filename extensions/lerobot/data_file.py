@@ -45,7 +45,7 @@ class FileJob(NamedTuple):
         return {"chunk_index": self.number // CHUNK, "file_index": self.number % CHUNK}
 
 
-class Written(NamedTuple):
+class WrittenEpisode(NamedTuple):
     """A written episode. ``film_start``: its start in the videos, s; ``image_gap``: the largest
     time between a frame and its image, s."""
 
@@ -57,7 +57,7 @@ class Written(NamedTuple):
     lost: float  # share of unknown values
 
 
-def write_file(job: FileJob, progress: Callable[[float], None]) -> list[Written]:
+def write_file(job: FileJob, progress: Callable[[float], None]) -> list[WrittenEpisode]:
     """Write the file. Raises GlovetrackError and any exception of ``progress``."""
     _, pq = arrow()
     path = job.folder / DATA_PATH.format(**job.at)
@@ -122,7 +122,7 @@ class _Sink:
     gap: float = 0.0
     seen: dict[str, list[bytes]] = field(default_factory=dict)
 
-    def write(self, before: int, progress: Callable[[float], None]) -> Written:
+    def write(self, before: int, progress: Callable[[float], None]) -> WrittenEpisode:
         """``before``: number of frames already in this file's videos."""
         e, layout = self.episode, self.job.layout
         start = 0
@@ -132,7 +132,7 @@ class _Sink:
             start += n
         stats = self._stats()
         lost = float(1 - self.frames.valid.mean())
-        return Written(e, self.job.number, stats, before / layout.fps, self.gap, lost)
+        return WrittenEpisode(e, self.job.number, stats, before / layout.fps, self.gap, lost)
 
     def _groups(self, progress: Callable[[float], None]) -> Iterator[list[list[bytes]]]:
         """Images of each camera per row group; a single empty group without images or with

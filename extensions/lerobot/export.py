@@ -8,7 +8,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from extensions.lerobot.data_file import FileJob, Written, file_jobs, write_file
+from extensions.lerobot.data_file import FileJob, WrittenEpisode, file_jobs, write_file
 from extensions.lerobot.film import check_program
 from extensions.lerobot.layout import Layout
 from extensions.lerobot.meta import LARGEST_DATA_MB, write_meta
@@ -68,7 +68,7 @@ def _check(options: ExportOptions) -> None:
 
 def _write(
     jobs: Sequence[FileJob], watch: Callable[[float], None], asked: WorkersAsked
-) -> list[Written]:
+) -> list[WrittenEpisode]:
     if len(jobs) == 1 and not asked.dask:
         return write_file(jobs[0], watch)
     items = [WorkItem(write_file, (job,), sum(e.frames for e in job.episodes)) for job in jobs]
@@ -85,7 +85,7 @@ def _report(
     folder: Path,
     options: ExportOptions,
     layout: Layout,
-    written: Sequence[Written],
+    written: Sequence[WrittenEpisode],
     tasks: tuple[str, ...],
 ) -> dict[str, Any]:
     hidden = "participant" in options.anonymous  # automatic file names contain it

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from extensions.lerobot.data_file import CHUNK, DATA_PATH, VIDEO_PATH, Written
+from extensions.lerobot.data_file import CHUNK, DATA_PATH, VIDEO_PATH, WrittenEpisode
 from extensions.lerobot.layout import CODEBASE, VALID, Layout
 from extensions.lerobot.stats import together
 from tracker import __version__
@@ -21,7 +21,7 @@ EPISODES_PATH = "meta/episodes/chunk-000/file-000.parquet"
 
 
 def write_meta(
-    folder: Path, layout: Layout, written: Sequence[Written], tasks: tuple[str, ...]
+    folder: Path, layout: Layout, written: Sequence[WrittenEpisode], tasks: tuple[str, ...]
 ) -> None:
     """Write all metadata. The data files must exist."""
     (folder / EPISODES_PATH).parent.mkdir(parents=True)
@@ -34,7 +34,9 @@ def write_meta(
     _json(meta / "glovetrack.json", _own(layout, written))
 
 
-def _info(layout: Layout, written: Sequence[Written], tasks: tuple[str, ...]) -> dict[str, Any]:
+def _info(
+    layout: Layout, written: Sequence[WrittenEpisode], tasks: tuple[str, ...]
+) -> dict[str, Any]:
     return {
         "codebase_version": CODEBASE,
         "robot_type": "glovetrack",
@@ -67,14 +69,14 @@ def _write_tasks(path: Path, tasks: tuple[str, ...]) -> None:
     pq.write_table(table.replace_schema_metadata({"pandas": json.dumps(pandas)}), path)
 
 
-def _write_episodes(path: Path, layout: Layout, written: Sequence[Written]) -> None:
+def _write_episodes(path: Path, layout: Layout, written: Sequence[WrittenEpisode]) -> None:
     pa, pq = arrow()
     rows = [_row(layout, w) for w in written]
     columns = {name: [row[name] for row in rows] for name in rows[0]}
     pq.write_table(pa.table(columns), path)
 
 
-def _row(layout: Layout, w: Written) -> dict[str, Any]:
+def _row(layout: Layout, w: WrittenEpisode) -> dict[str, Any]:
     e = w.episode
     chunk, file = w.file // CHUNK, w.file % CHUNK
     row: dict[str, Any] = {
@@ -98,7 +100,7 @@ def _row(layout: Layout, w: Written) -> dict[str, Any]:
     return row | {"meta/episodes/chunk_index": 0, "meta/episodes/file_index": 0}
 
 
-def _own(layout: Layout, written: Sequence[Written]) -> dict[str, Any]:
+def _own(layout: Layout, written: Sequence[WrittenEpisode]) -> dict[str, Any]:
     """Metadata that LeRobot's own files cannot contain."""
     return {
         "glovetrack": __version__,

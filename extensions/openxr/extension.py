@@ -29,7 +29,7 @@ class OpenXrOptions:
 
 def _make(options: OpenXrOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
     from extensions.openxr.layout import Space
-    from extensions.openxr.publisher import OpenXrPublisher, Placement
+    from extensions.openxr.publisher import OpenXrPublisher, WorldPlacement
 
     spaces = {space.name.lower(): space for space in Space}
     if options.space not in spaces:
@@ -39,7 +39,9 @@ def _make(options: OpenXrOptions, hands: Sequence[Names]) -> Iterator[Publisher]
     if not 0 <= options.ahead_ms <= MOST_AHEAD_MS:
         raise StreamError(notice("option.range", option="ahead_ms", low=0, high=MOST_AHEAD_MS))
     position = options.x, options.y, options.z
-    placement = Placement(spaces[options.space], position, options.yaw, options.ahead_ms / 1000)
+    placement = WorldPlacement(
+        spaces[options.space], position, options.yaw, options.ahead_ms / 1000
+    )
     first, *others = (names.with_openxr() for names in hands)
     publisher = OpenXrPublisher(first, placement)
     yield publisher

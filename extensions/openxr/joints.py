@@ -29,7 +29,7 @@ JointArray = NDArray[np.void]
 NONE = np.zeros(len(JOINTS), JOINT)
 
 
-class Poses(NamedTuple):
+class JointPoses(NamedTuple):
     """p (26, 3) m and q (26, 4) xyzw of one instant; ``known`` (26,) bool."""
 
     t: float
@@ -38,7 +38,7 @@ class Poses(NamedTuple):
     known: NDArray[np.bool_]
 
 
-class Joints(NamedTuple):
+class HandJoints(NamedTuple):
     """``array`` (26,) of `JOINT`, None while the hand is inactive."""
 
     array: JointArray | None
@@ -61,16 +61,16 @@ class JointSeries:
         self._seen = np.full(len(JOINTS), -np.inf)  # s, when each joint last had a pose
         self._p_W = np.zeros((len(JOINTS), 3))  # m in the wrist's axes, at that time
         self._q_W = np.tile([0.0, 0.0, 0.0, 1.0], (len(JOINTS), 1))
-        self._before: deque[Poses] = deque()
+        self._before: deque[JointPoses] = deque()
 
-    def add(self, estimate: Estimate) -> Joints:
+    def add(self, estimate: Estimate) -> HandJoints:
         """The joints of the next estimate."""
         hand = openxr_of(estimate, self._names)
         known = hand.state != Validity.LOST
         poses = self._poses(hand, known) if known[WRIST] else None
         if poses is None:
             self._before.clear()
-            return Joints(None, Velocity.UNKNOWN)
+            return HandJoints(None, Velocity.UNKNOWN)
         out = NONE.copy()
         out["position"], out["orientation"] = poses.p, poses.q
         out["radius"], out["state"] = self._radii, hand.state
@@ -81,7 +81,7 @@ class JointSeries:
         if velocity == Velocity.UNKNOWN:
             velocity = self._add_differences(out, poses)
         self._before.append(poses)
-        return Joints(out, velocity)
+        return HandJoints(out, velocity)
 
     def _add_motion(self, out: JointArray, estimate: Estimate, hand: OpenXrHand) -> Velocity:
         """The engine's own velocities; NaN of joints without such."""
@@ -91,7 +91,7 @@ class JointSeries:
         is_known = bool(np.isfinite(motion.linear[WRIST]).all())
         return Velocity.FILTER if is_known else Velocity.UNKNOWN
 
-    def _poses(self, hand: OpenXrHand, known: NDArray[np.bool_]) -> Poses | None:
+    def _poses(self, hand: OpenXrHand, known: NDArray[np.bool_]) -> JointPoses | None:
         """Every joint's, those that are lost where they were on the hand; None without such."""
         p, q = hand.position, hand.orientation
         back = inverse(q[WRIST])
@@ -103,9 +103,9 @@ class JointSeries:
         if not known.all():
             p = np.where(known[:, None], p, p[WRIST] + rotate(q[WRIST], self._p_W))
             q = np.where(known[:, None], q, product(q[WRIST], self._q_W))
-        return Poses(hand.t, p, q, known)
+        return JointPoses(hand.t, p, q, known)
 
-    def _add_differences(self, out: JointArray, now: Poses) -> Velocity:
+    def _add_differences(self, out: JointArray, now: JointPoses) -> Velocity:
         """Differences from the newest poses that are `SPAN` old; NaN of joints without such."""
         out["linear"], out["angular"] = np.nan, np.nan
         out["linear_sd"] = out["angular_sd"] = np.nan

@@ -13,7 +13,7 @@ from functools import partial
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from extensions.openxr.joints import Joints, JointSeries
+from extensions.openxr.joints import HandJoints, JointSeries
 from extensions.openxr.layout import (
     HEADER,
     MAGIC,
@@ -43,7 +43,7 @@ REPLAYED_NS = 1_000_000_000
 
 
 @dataclass(frozen=True)
-class Placement:
+class WorldPlacement:
     """Where Glovetrack's world is in one of OpenXR's reference spaces.
 
     position (m) of its origin, and the angle (deg) by which its forward direction (G's x) is turned
@@ -65,7 +65,7 @@ class OpenXrPublisher:
     def __init__(
         self,
         names: Names,
-        placement: Placement,
+        placement: WorldPlacement,
         memory: str = "",
         now_ns: Callable[[], int] = time.monotonic_ns,
     ) -> None:
@@ -119,7 +119,7 @@ class OpenXrPublisher:
             del self._header, self._entries, self._rings
             self._memory.close()
 
-    def _begin(self, placement: Placement) -> None:
+    def _begin(self, placement: WorldPlacement) -> None:
         header = self._header
         header["version"], header["size"], header["ring"] = VERSION, SIZE, RING
         header["clock"], header["process"] = self._clock, os.getpid()
@@ -143,7 +143,7 @@ class OpenXrPublisher:
                 raise StreamError(notice("stream.closed", what="OpenXR stream"))
             self._write(SIDES.index(side), estimate, self._series[side].add(estimate))
 
-    def _write(self, h: int, estimate: Estimate, joints: Joints) -> None:
+    def _write(self, h: int, estimate: Estimate, joints: HandJoints) -> None:
         """Another sample. A lock that is released and acquired again keeps the stores before it
         before those after it, on ARM too."""
         counts = self._header["hands"]["count"][0]

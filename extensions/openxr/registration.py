@@ -45,7 +45,7 @@ class UserRegistry(Protocol):
 
 
 @dataclass(frozen=True)
-class Registration:
+class LayerRegistration:
     """Where one user's layer is. ``library`` is the compiled one that is copied into ``folder``;
     ``manifest`` describes the copy; ``registry`` names the manifest where there is a registry."""
 
@@ -101,16 +101,16 @@ class Registration:
         return self.registry is None or str(self.manifest) in self.registry.names()
 
 
-def user_registration(library: Path = LIBRARY) -> Registration:
+def user_registration(library: Path = LIBRARY) -> LayerRegistration:
     """That of the current user. Raises FileError on a system without OpenXR layers."""
     import platformdirs  # here: the list of commands does without it
 
     folder = platformdirs.user_data_path("glovetrack", appauthor=False) / "openxr"
     if sys.platform == "win32":
-        return Registration(library, folder, folder / MANIFEST_NAME, WindowsRegistry())
+        return LayerRegistration(library, folder, folder / MANIFEST_NAME, WindowsRegistry())
     if sys.platform != "linux":
         raise FileError(notice("openxr.system"))
-    return Registration(library, folder, implicit_layers(os.environ) / MANIFEST_NAME)
+    return LayerRegistration(library, folder, implicit_layers(os.environ) / MANIFEST_NAME)
 
 
 def implicit_layers(environment: os._Environ[str] | dict[str, str]) -> Path:

@@ -46,12 +46,12 @@ def add_import(command: argparse.ArgumentParser) -> None:
 
 def import_reference_command(args: argparse.Namespace) -> int:
     """Write the session with its reference, and report alignment and registration."""
-    from extensions.reference.importing import ImportOptions, import_reference
+    from extensions.reference.importing import ReferenceImportOptions, import_reference
     from extensions.reference.remarks import remarks
 
     files = [args.reference, args.session]
     check_json(args, files)
-    options = ImportOptions(
+    options = ReferenceImportOptions(
         args.mapping,
         args.by,
         args.pulse,

@@ -11,7 +11,7 @@ import numpy as np
 
 from extensions.reference.formats.read import read_reference
 from extensions.reference.mapping import LEAST, PointMapping, as_keypoints, read_mapping
-from extensions.reference.recording import Recording
+from extensions.reference.recording import ReferenceRecording
 from extensions.reference.registration import (
     Registration,
     register,
@@ -19,7 +19,7 @@ from extensions.reference.registration import (
     with_inferred,
 )
 from extensions.reference.session import Described, at_instants, write_with_reference
-from extensions.reference.timing import Timing, by_clock, by_movement, by_pulse, refined
+from extensions.reference.timing import ReferenceTiming, by_clock, by_movement, by_pulse, refined
 from tracker.base.clock import NS
 from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import check_target
@@ -41,7 +41,7 @@ _FEW = 100  # instants with measured points; with fewer, inferred ones are used 
 
 
 @dataclass(frozen=True)
-class ImportOptions:
+class ReferenceImportOptions:
     """``mapping``: a file; ``by``: one of `timing.WAYS`; ``pulse``: names of the reference's events
     or of a channel, empty: all events; ``start``: wall clock of the reference's t = 0 (ISO 8601);
     ``register``: one of `REGISTRATIONS`."""
@@ -56,14 +56,14 @@ class ImportOptions:
 
 
 def import_reference(
-    reference: Path, session: Path, out: Path, options: ImportOptions | None = None,
+    reference: Path, session: Path, out: Path, options: ReferenceImportOptions | None = None,
     force: bool = False, watch: Callable[[float], None] = lambda share: None,
 ) -> Described:  # fmt: skip
     """Write ``out``, the session with the reference of one hand. ``watch`` receives the share done.
 
     Raises FileError if a file is not readable or they do not match, ConfigError for options.
     """
-    options = options or ImportOptions()
+    options = options or ReferenceImportOptions()
     check_target(out, force, [reference, session])
     mapping = PointMapping() if options.mapping is None else read_mapping(options.mapping)
     whole = read_reference(reference, mapping, options.pulse)
@@ -91,9 +91,9 @@ def _timing(
     reader: SessionReader,
     series: EstimateSeries,
     t: Array,
-    recording: Recording,
-    options: ImportOptions,
-) -> Timing:
+    recording: ReferenceRecording,
+    options: ReferenceImportOptions,
+) -> ReferenceTiming:
     if options.by == "clock":
         found = by_clock(_start_ns(recording, options, reader.path), reader.span_ns[0])
     elif options.by == "pulse":
@@ -113,7 +113,7 @@ def _timing(
     return found
 
 
-def _start_ns(recording: Recording, options: ImportOptions, session: Path) -> int:
+def _start_ns(recording: ReferenceRecording, options: ReferenceImportOptions, session: Path) -> int:
     """For the reference's t = 0; a time without a zone is this computer's local time."""
     start = recording.start
     if options.start:
@@ -136,11 +136,11 @@ class _Pairs:
     x_G: Array
     x_any: Array
     R_GB: Array
-    recording: Recording
+    recording: ReferenceRecording
     missing: tuple[str, ...]
 
     @classmethod
-    def of(cls, series: EstimateSeries, t: Array, recording: Recording) -> _Pairs:
+    def of(cls, series: EstimateSeries, t: Array, recording: ReferenceRecording) -> _Pairs:
         columns = [series.keypoint_names.index(n) for n in recording.names]
         state, points = series.state[:, columns], series.keypoints[:, columns]
         known = state != Validity.LOST
@@ -152,7 +152,9 @@ class _Pairs:
         R_GB = so3.matrix_from_quat(series.q[:, columns])
         return cls(t, x_G, x_any, R_GB, recording, missing)
 
-    def described(self, timing: Timing, options: ImportOptions, path: Path) -> Described:
+    def described(
+        self, timing: ReferenceTiming, options: ReferenceImportOptions, path: Path
+    ) -> Described:
         """The registrations, with the time alignment that they refine."""
         how = options.register
         rigid, with_offsets = self.registered(timing, how, path)
@@ -179,12 +181,14 @@ class _Pairs:
         total = np.where(known, squared, 0.0).sum(axis=0)
         return np.asarray(np.sqrt(total / np.where(count > 0, count, np.nan)))
 
-    def reference(self, timing: Timing) -> Array:
+    def reference(self, timing: ReferenceTiming) -> Array:
         """(N, K, 3) m in the laboratory's frame."""
         at = timing.session_time(self.recording.t)
         return at_instants(at, self.recording.points, self.t)
 
-    def registered(self, timing: Timing, how: str, path: Path) -> tuple[Registration, Registration]:
+    def registered(
+        self, timing: ReferenceTiming, how: str, path: Path
+    ) -> tuple[Registration, Registration]:
         """The rigid registration, and that with marker offsets."""
         x_L = self.reference(timing)
         if how == "none":
@@ -201,7 +205,9 @@ class _Pairs:
         """(K,)"""
         return np.asarray(np.isfinite(self.x_G).all(axis=2).sum(axis=0) < _FEW)
 
-    def refined(self, timing: Timing, registration: Registration, with_drift: bool) -> Timing:
+    def refined(
+        self, timing: ReferenceTiming, registration: Registration, with_drift: bool
+    ) -> ReferenceTiming:
         theirs = registration.keypoints(self.reference(timing), self.R_GB)
         return refined(timing, self.t, self.x_G, theirs, with_drift)
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from extensions.reference.recording import UNITS, Recording
+from extensions.reference.recording import UNITS, ReferenceRecording
 from tracker.base.errors import FileError
 from tracker.base.notices import notice
 from tracker.base.toml_reader import TomlTable, read_text, read_toml, texts
@@ -87,8 +87,12 @@ def _columns(table: TomlTable) -> TableColumns:
 
 
 def as_keypoints(
-    recording: Recording, keypoints: Sequence[str], side: str, mapping: PointMapping, path: Path
-) -> Recording:
+    recording: ReferenceRecording,
+    keypoints: Sequence[str],
+    side: str,
+    mapping: PointMapping,
+    path: Path,
+) -> ReferenceRecording:
     """The recording with the points of the hand, in the order of ``keypoints``; absent ones are
     omitted. Raises FileError if fewer than `LEAST` are known."""
     of = dict(mapping.keypoints) or by_names(recording.names, side, keypoints)

@@ -26,7 +26,7 @@ _TIMES = ("t", "time", "timestamp", "seconds", "time (s)", "time [s]")
 
 
 @dataclass(frozen=True)
-class Recognised:
+class RecognisedPoints:
     """``points`` of the file and ``keypoints`` of the hand among them, ``assigned`` to each its
     points; ``missing`` keypoints.
 
@@ -51,7 +51,7 @@ def recognise(
     side: str,
     mapping_file: Path | None = None,
     pulse: str = "",
-) -> Recognised:
+) -> RecognisedPoints:
     """``keypoints`` and ``side`` of the hand. Raises FileError for a file or mapping file that
     cannot be read."""
     mapping = PointMapping() if mapping_file is None else read_mapping(mapping_file)
@@ -63,7 +63,7 @@ def recognise(
     except FileError as error:
         problem = error.notice
     names = tuple(k for k in keypoints if k in known)
-    return Recognised(
+    return RecognisedPoints(
         found.kind,
         found.rate,
         float(found.t[-1] - found.t[0]),

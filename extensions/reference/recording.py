@@ -18,7 +18,7 @@ UNITS = {"m": 1.0, "meters": 1.0, "dm": 0.1, "cm": 0.01, "centimeters": 0.01, "m
 
 
 @dataclass(frozen=True)
-class Pulse:
+class ReferencePulse:
     """An event at ``t`` s on the time axis of the points."""
 
     t: float
@@ -26,7 +26,7 @@ class Pulse:
 
 
 @dataclass(frozen=True, eq=False)
-class Recording:
+class ReferenceRecording:
     """N instants of P points: ``t`` (N,) s, rising; ``points`` (N, P, 3) m in the laboratory's
     frame, NaN where missing.
 
@@ -38,14 +38,14 @@ class Recording:
     t: Array
     points: Array
     start: datetime | None = None
-    pulses: tuple[Pulse, ...] = ()
+    pulses: tuple[ReferencePulse, ...] = ()
 
     @property
     def rate(self) -> float:
         """Median samples per second."""
         return 1.0 / float(np.median(np.diff(self.t)))
 
-    def checked(self, path: object) -> Recording:
+    def checked(self, path: object) -> ReferenceRecording:
         """The same in the order of its times. Raises FileError without two instants and a point."""
         known = np.isfinite(self.t)
         order = np.argsort(np.where(known, self.t, np.inf), kind="stable")[: int(known.sum())]

@@ -20,7 +20,7 @@ from scipy.interpolate import CubicSpline
 
 from extensions.reference.angles import angles_of, segment_axes
 from extensions.reference.registration import Registration
-from extensions.reference.timing import Timing
+from extensions.reference.timing import ReferenceTiming
 from tracker.base.errors import FileError
 from tracker.base.files import whole_file
 from tracker.base.notices import notice
@@ -52,7 +52,7 @@ class Described:
     kind: str
     rate: float
     keypoints: tuple[str, ...]
-    timing: Timing
+    timing: ReferenceTiming
     rigid: Registration
     with_offsets: Registration
     residuals: Array
@@ -136,7 +136,7 @@ def described(text: str, session: Path) -> Described:
             str(stored["format"]),
             float(stored["rate_hz"]),
             keypoints,
-            Timing(**timing),
+            ReferenceTiming(**timing),
             _registration(stored["rigid"], len(keypoints)),
             _registration(stored["with_offsets"], len(keypoints)),
             _residuals(stored.get("keypoint_residuals"), len(keypoints)),

@@ -37,7 +37,7 @@ _MATCHED = 0.05  # s: between a pulse and its partner at the right offset, drift
 
 
 @dataclass(frozen=True)
-class Timing:
+class ReferenceTiming:
     """``offset`` and ``offset_sd`` s at the middle of the common time, expressed at the reference's
     t = 0; ``drift`` and ``drift_sd`` without unit (1e-6 is 1 ppm; sd NaN: it was taken as 0).
 
@@ -58,12 +58,12 @@ class Timing:
         return np.asarray(self.offset + (1.0 + self.drift) * t)
 
 
-def by_clock(start_ns: int, session_start_ns: int) -> Timing:
+def by_clock(start_ns: int, session_start_ns: int) -> ReferenceTiming:
     """``start_ns``: wall clock at the reference's t = 0; both in ns since 1970."""
-    return Timing("clock", (start_ns - session_start_ns) * 1e-9)
+    return ReferenceTiming("clock", (start_ns - session_start_ns) * 1e-9)
 
 
-def by_pulse(ours: Sequence[float], theirs: Sequence[float]) -> Timing:
+def by_pulse(ours: Sequence[float], theirs: Sequence[float]) -> ReferenceTiming:
     """Instants of the same pulses in s of the session and of the reference; either may lack some.
 
     Raises FileError if no offset, or more than one, lets most of them match.
@@ -76,7 +76,7 @@ def by_pulse(ours: Sequence[float], theirs: Sequence[float]) -> Timing:
     pairs = _matching(a, b)
     x, y = b[pairs[:, 1]], a[pairs[:, 0]]
     if len(x) < 3:
-        return Timing("pulse", float(np.mean(y - x)), parts=len(x))
+        return ReferenceTiming("pulse", float(np.mean(y - x)), parts=len(x))
     return _line("pulse", x, y - x, np.ones(len(x)), True)
 
 
@@ -102,7 +102,7 @@ def by_movement(
     reference: Array,
     relative: bool = False,
     with_drift: bool = True,
-) -> Timing:
+) -> ReferenceTiming:
     """For the same K points (N, K, 3) and (M, K, 3) m at (N,) and (M,) s.
 
     ``relative``: by the movement relative to the points' mean, for a session without positions.
@@ -111,7 +111,7 @@ def by_movement(
     ours, theirs = (_Speeds.of(t, x, relative) for t, x in
                     ((t_session, session), (t_reference, reference)))  # fmt: skip
     coarse = _coarse(ours, theirs)
-    found = Timing("movement", coarse)
+    found = ReferenceTiming("movement", coarse)
     for k in range(4):
         at, local, weight, correlation = _local_offsets(ours, theirs, found)
         if len(at) == 0:
@@ -126,8 +126,8 @@ def by_movement(
 
 
 def refined(
-    timing: Timing, t: Array, ours: Array, theirs: Array, with_drift: bool = True
-) -> Timing:
+    timing: ReferenceTiming, t: Array, ours: Array, theirs: Array, with_drift: bool = True
+) -> ReferenceTiming:
     """``timing`` improved by registered points: ``ours`` and ``theirs`` (N, K, 3) m in G, both at
     session times t (N,) s, NaN where unknown. Unchanged if too little moves."""
     velocity = np.gradient(theirs, t, axis=0)
@@ -198,7 +198,7 @@ def _coarse(ours: _Speeds, theirs: _Speeds) -> float:
 
 
 def _local_offsets(
-    ours: _Speeds, theirs: _Speeds, timing: Timing
+    ours: _Speeds, theirs: _Speeds, timing: ReferenceTiming
 ) -> tuple[Array, Array, Array, Array]:
     """Middle (n,) s of each part of the session, its offset (n,) s from ``timing``, its weight
     1/variance and its correlation."""
@@ -238,7 +238,7 @@ def _correlations(x: Array, y: Array) -> Array:
 
 def _line(
     by: str, t: Array, offsets: Array, weight: Array, with_drift: bool, shared: float = 1.0
-) -> Timing:
+) -> ReferenceTiming:
     """A line through offsets (n,) s at t (n,) s of the reference, by Huber's weights; a constant
     where the drift would be known to less than `_DRIFT_SD`. ``shared``: parts that overlap."""
     middle = float(np.average(t, weights=weight))
@@ -249,7 +249,7 @@ def _line(
         if columns == 1 or sd[1] < _DRIFT_SD:
             break
     drift = float(solution[1]) if columns == 2 else 0.0
-    return Timing(
+    return ReferenceTiming(
         by,
         float(solution[0]) - drift * middle,
         float(sd[0]),

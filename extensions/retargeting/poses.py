@@ -58,7 +58,7 @@ class PoseView:
 
 
 @dataclass(frozen=True, eq=False)
-class Poses:
+class KeyedPoses:
     """For `JOINTS`: R (26, 3, 3), p (26, 3) m, sd (26,) m and state (26,); NaN where lost."""
 
     R: Array
@@ -67,7 +67,7 @@ class Poses:
     state: IntArray
 
 
-def poses_of(e: Estimate, names: Names, frame: str) -> Poses:
+def poses_of(e: Estimate, names: Names, frame: str) -> KeyedPoses:
     """Poses in one of the frames of `PoseOptions`; ``names`` have OpenXR's radii."""
     hand = openxr_of(e, names)
     state = np.array(hand.state)
@@ -80,7 +80,7 @@ def poses_of(e: Estimate, names: Names, frame: str) -> Poses:
     state[lost] = int(Validity.LOST)
     rows = np.array(keypoint_rows(names.keypoints))
     sd = np.where((rows >= 0) & ~lost, e.keypoint_sd[np.maximum(rows, 0)], np.nan)
-    return Poses(R, p, sd, state)
+    return KeyedPoses(R, p, sd, state)
 
 
 def _frame(hand: OpenXrHand, R: Array, frame: str) -> tuple[Array, Array]:
@@ -110,7 +110,7 @@ def pose_message(e: Estimate, names: Names, view: PoseView) -> dict[str, Any]:
     }
 
 
-def _pose(poses: Poses, i: int, matrix: bool) -> dict[str, Any]:
+def _pose(poses: KeyedPoses, i: int, matrix: bool) -> dict[str, Any]:
     state = Validity(int(poses.state[i]))
     out: dict[str, Any] = {"state": STATE_WORDS[state]}
     if state == Validity.LOST:

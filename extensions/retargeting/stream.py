@@ -11,7 +11,7 @@ from tracker.streaming.registry import StreamKind
 
 
 @dataclass(frozen=True)
-class PoseOptions:
+class KeyedPoseOptions:
     host: str = option(LOOPBACK, "destination")
     port: int = option(9003, "destination port")
     joints: str = option(
@@ -27,7 +27,7 @@ class PoseOptions:
     matrix: bool = option(False, "whether each pose also has a 4×4 matrix")
 
 
-def _poses(options: PoseOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
+def _poses(options: KeyedPoseOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
     from extensions.retargeting.poses import PosePublisher, PoseView
 
     view = PoseView(options.joints, options.frame, options.matrix)
@@ -38,7 +38,7 @@ def _poses(options: PoseOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
 POSES = StreamKind(
     name="poses",
     title="Keyed poses (Isaac, retargeting)",
-    options=PoseOptions,
+    options=KeyedPoseOptions,
     make=_poses,
     order=26,
 )

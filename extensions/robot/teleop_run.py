@@ -131,7 +131,7 @@ def write_driven(
 
 
 @dataclass(frozen=True)
-class Repeated:
+class RepeatedDrive:
     """Result of a repeated drive: states compared, and states that differ in any bit."""
 
     robot: str
@@ -140,7 +140,7 @@ class Repeated:
     first_difference: float  # s of the host's clock; NaN without a difference
 
 
-def drive_again(path: Path, robot: str = "") -> Repeated:
+def drive_again(path: Path, robot: str = "") -> RepeatedDrive:
     """Repeat the drive of a session's robot from its first stored state.
 
     Raises FileError if the session has no such robot or no stored state.
@@ -172,7 +172,7 @@ def _recorded(reader: SessionReader, name: str) -> tuple[dict[int, RobotState], 
 
 def _compare(
     reader: SessionReader, teleop: Teleop, name: str, recorded: dict[int, RobotState]
-) -> Repeated:
+) -> RepeatedDrive:
     commands = _commands(reader, name)
     compared = different = 0
     first = float("nan")
@@ -188,7 +188,7 @@ def _compare(
         if not _same(state, expected):
             different += 1
             first = estimate.t if np.isnan(first) else first
-    return Repeated(name, compared, different, first)
+    return RepeatedDrive(name, compared, different, first)
 
 
 def _same(a: RobotState, b: RobotState) -> bool:

@@ -42,7 +42,7 @@ def recorded_movement(
     if not turned:
         raise FileError(failure("room.no_rotations", file=path.name, side=info.side))
     inside_B = [m for m in inside if isinstance(m, ImuSample)]
-    track = Track(
+    track = PoseTrack(
         np.array([p.t for p in turned]),
         np.array([p.p_GT for p in turned]),
         np.array([p.q_GT for p in turned]),
@@ -50,7 +50,7 @@ def recorded_movement(
     return info.side, moved_by(inside_B, track, info.hand, info.glove)
 
 
-class Track(NamedTuple):
+class PoseTrack(NamedTuple):
     """Poses of a tracker: t (M,) s, which increase, p_WT (M, 3) m and q_WT (M, 4) xyzw."""
 
     t: Array
@@ -59,7 +59,7 @@ class Track(NamedTuple):
 
 
 def moved_by(
-    samples: Sequence[ImuSample], track: Track, hand: HandModel, glove: GloveModel
+    samples: Sequence[ImuSample], track: PoseTrack, hand: HandModel, glove: GloveModel
 ) -> Moved:
     """The movement that a glove's packets and a tracker's poses measured.
 

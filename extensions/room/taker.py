@@ -22,7 +22,7 @@ Tap = Callable[[RoomPose, float], None]
 
 
 @dataclass(frozen=True)
-class Received:
+class ReceivedPoses:
     """Poses of one tracker so far, and whether the last one had a rotation."""
 
     count: int
@@ -36,7 +36,7 @@ class PoseTaker:
         self._answer, self._placement = answer, placement
         self._allowance = Allowance(MOST_HZ, monotonic())
         self._peers: dict[str, float] = {}
-        self._received: dict[str, Received] = {}
+        self._received: dict[str, ReceivedPoses] = {}
         self._tap: Tap | None = None
         self.asked = self.refused = 0
 
@@ -57,7 +57,7 @@ class PoseTaker:
         """Counts a packet that cannot be read."""
         self.refused += 1
 
-    def received(self) -> dict[str, Received]:
+    def received(self) -> dict[str, ReceivedPoses]:
         """Trackers by name, those that are on no hand included. From any thread."""
         return dict(self._received)
 
@@ -70,7 +70,7 @@ class PoseTaker:
         if before is not None or len(self._received) < MOST_NAMES:
             count = before.count if before is not None else 0
             turned = bool(np.isfinite(pose.q).all())
-            self._received[pose.name] = Received(count + 1, turned)
+            self._received[pose.name] = ReceivedPoses(count + 1, turned)
         tap = self._tap
         if tap is not None:
             tap(pose, t)

@@ -12,11 +12,11 @@ from pathlib import Path
 from typing import Protocol as Interface
 
 from extensions.study.progress import RECORDED, Progress
-from extensions.study.schedule import PRACTICE, REST, TRIAL, Cue, Step
-from extensions.study.verdict import Verdict
+from extensions.study.schedule import PRACTICE, REST, TRIAL, Cue, ScheduleStep
+from extensions.study.verdict import TrialVerdict
 
 
-class Phase(StrEnum):
+class TrialPhase(StrEnum):
     """``READY``: the instruction is shown until the experimenter continues; ``RUNNING``: cues;
     ``CHECKING``: the file is being completed and judged; ``VERDICT``: accept or repeat."""
 
@@ -32,7 +32,7 @@ class Phase(StrEnum):
 class Station(Interface):
     """What records the trials."""
 
-    def begin(self, path: Path, step: Step) -> None:
+    def begin(self, path: Path, step: ScheduleStep) -> None:
         """Begin a file. Raises GlovetrackError."""
 
     def note(self, text: str, data: Mapping[str, object]) -> None:
@@ -50,8 +50,8 @@ class Conductor:
 
     def __init__(self, progress: Progress, station: Station) -> None:
         self.progress, self._station = progress, station
-        self.phase = Phase.READY
-        self.verdict: Verdict | None = None
+        self.phase = TrialPhase.READY
+        self.verdict: TrialVerdict | None = None
         self.rest_left = 0.0  # s
         self.paused = False
         self._since = self._last = 0.0
@@ -62,7 +62,7 @@ class Conductor:
     # ---- what to show
 
     @property
-    def step(self) -> Step | None:
+    def step(self) -> ScheduleStep | None:
         """The present step; None at the end."""
         return self.progress.step
 
@@ -70,7 +70,7 @@ class Conductor:
     def cue(self) -> Cue | None:
         """What the participant is to do now."""
         step = self.step
-        if self.phase is not Phase.RUNNING or step is None or not self._shown:
+        if self.phase is not TrialPhase.RUNNING or step is None or not self._shown:
             return None
         return step.cues[self._shown - 1]
 
@@ -78,7 +78,7 @@ class Conductor:
     def next_cue_in(self) -> float:
         """s until the next cue, or the end of the trial; infinite if it is ended manually."""
         step = self.step
-        if step is None or self.phase is not Phase.RUNNING:
+        if step is None or self.phase is not TrialPhase.RUNNING:
             return float("inf")
         if self._shown < len(step.cues):
             return max(step.cues[self._shown].t - self.elapsed, 0.0)
@@ -100,27 +100,27 @@ class Conductor:
         """Begin the trial, end one that has no fixed duration, accept it, or end a rest."""
         self._last = t
         match self.phase:
-            case Phase.READY if not self.paused:
-                self._change(Phase.COUNTDOWN, t)
+            case TrialPhase.READY if not self.paused:
+                self._change(TrialPhase.COUNTDOWN, t)
                 self.tick(t)
-            case Phase.RUNNING if self.step is not None and self.step.duration == 0:
+            case TrialPhase.RUNNING if self.step is not None and self.step.duration == 0:
                 self._end_trial(t)
-            case Phase.VERDICT if self.step is not None:
+            case TrialPhase.VERDICT if self.step is not None:
                 self.progress.accept(self.step)
                 self._enter()
-            case Phase.REST:
+            case TrialPhase.REST:
                 self._finish()
 
     def repeat(self, t: float) -> None:
         """Record the judged trial again."""
-        if self.phase is Phase.VERDICT and self.step is not None:
+        if self.phase is TrialPhase.VERDICT and self.step is not None:
             self.progress.repeat(self.step)
             self._since = self._last = t
             self._enter()
 
     def give_up(self) -> None:
         """The judged trial counts as failed: its recording remains, and is not evaluated."""
-        if self.phase is Phase.VERDICT and self.step is not None:
+        if self.phase is TrialPhase.VERDICT and self.step is not None:
             self.progress.accept(self.step, failed=True)
             self._enter()
 
@@ -129,19 +129,19 @@ class Conductor:
         does not count down meanwhile."""
         self._last = t
         self.paused = not self.paused
-        if self.phase is Phase.COUNTDOWN:
-            self._change(Phase.READY, t)
-        elif self.phase is Phase.RUNNING:
+        if self.phase is TrialPhase.COUNTDOWN:
+            self._change(TrialPhase.READY, t)
+        elif self.phase is TrialPhase.RUNNING:
             self.interrupt(t)
 
     def interrupt(self, t: float) -> None:
         """Stop a running trial: its recording is superseded when it is complete."""
         step, self._last = self.step, t
-        if step is None or self.phase is not Phase.RUNNING:
+        if step is None or self.phase is not TrialPhase.RUNNING:
             return
-        self._change(Phase.READY, t)
+        self._change(TrialPhase.READY, t)
         if step.kind == TRIAL:
-            self.phase, self._interrupted = Phase.CHECKING, True
+            self.phase, self._interrupted = TrialPhase.CHECKING, True
             self._station.end()
 
     # ---- time, and what the owner reports
@@ -149,11 +149,11 @@ class Conductor:
     def tick(self, t: float) -> None:
         """Time is now ``t`` s."""
         passed, self._last = max(t - self._last, 0.0), t
-        if self.phase is Phase.COUNTDOWN and self.countdown_left <= 0:
+        if self.phase is TrialPhase.COUNTDOWN and self.countdown_left <= 0:
             self._begin_trial(t)
-        elif self.phase is Phase.RUNNING:
+        elif self.phase is TrialPhase.RUNNING:
             self._show_cues(t)
-        elif self.phase is Phase.REST and not self.paused:
+        elif self.phase is TrialPhase.REST and not self.paused:
             self.rest_left -= passed
             if self.rest_left <= 0:
                 self._finish()
@@ -161,7 +161,7 @@ class Conductor:
     def recorded(self) -> None:
         """The file of the trial is complete."""
         step, interrupted, self._interrupted = self.step, self._interrupted, False
-        if self.phase is not Phase.CHECKING or step is None:
+        if self.phase is not TrialPhase.CHECKING or step is None:
             return
         if interrupted:
             self.progress.repeat(step, "interrupted")
@@ -169,11 +169,11 @@ class Conductor:
         else:
             self.progress.recorded(step)
 
-    def judged(self, verdict: Verdict) -> None:
+    def judged(self, verdict: TrialVerdict) -> None:
         """The verdict on the trial's file."""
-        if self.phase is Phase.CHECKING and self.step is not None:
+        if self.phase is TrialPhase.CHECKING and self.step is not None:
             self.progress.judged(self.step, verdict.as_json())
-            self.verdict, self.phase = verdict, Phase.VERDICT
+            self.verdict, self.phase = verdict, TrialPhase.VERDICT
 
     # ----
 
@@ -182,29 +182,29 @@ class Conductor:
         step, self.verdict, self._shown = self.step, None, 0
         self._since = self._last
         if step is None:
-            self.phase = Phase.DONE
+            self.phase = TrialPhase.DONE
         elif step.kind == REST:
-            self.phase, self.rest_left = Phase.REST, step.duration
+            self.phase, self.rest_left = TrialPhase.REST, step.duration
         elif self.progress.entry(step).state == RECORDED:
-            self.phase = Phase.CHECKING  # the program ended before the decision
+            self.phase = TrialPhase.CHECKING  # the program ended before the decision
         else:
-            self.phase = Phase.READY
+            self.phase = TrialPhase.READY
 
-    def _change(self, phase: Phase, t: float) -> None:
+    def _change(self, phase: TrialPhase, t: float) -> None:
         self.phase, self._since, self._last, self._shown = phase, t, t, 0
 
     def _begin_trial(self, t: float) -> None:
         step = self.step
         assert step is not None
         if step.kind == TRIAL:
-            self._change(Phase.READY, t)  # in case the recording cannot begin
+            self._change(TrialPhase.READY, t)  # in case the recording cannot begin
             path = self.progress.begin(step, self._station.stamp())
             try:
                 self._station.begin(path, step)
             except BaseException:
                 self.progress.withdraw(step)
                 raise
-        self._change(Phase.RUNNING, t)
+        self._change(TrialPhase.RUNNING, t)
         self._show_cues(t)
 
     def _show_cues(self, t: float) -> None:
@@ -226,7 +226,7 @@ class Conductor:
         if self.step is not None and self.step.kind == PRACTICE:
             self._finish()
             return
-        self._change(Phase.CHECKING, t)
+        self._change(TrialPhase.CHECKING, t)
         self._station.end()
 
     def _finish(self) -> None:

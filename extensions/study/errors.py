@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from extensions.evaluation.vist.cases import SETTLING, judged_in_outage
 from extensions.evaluation.vist.metrics import Trial
-from extensions.study.retrack import Tracked, Variant, retracked
+from extensions.study.retrack import RetrackedTrial, Variant, retracked
 from tracker.geometry import so3
 from tracker.hand.names import MARKED_KEYPOINTS
 from tracker.messages import Array, Estimate, Tracking
@@ -26,7 +26,7 @@ WRIST = "wrist"
 
 
 @dataclass(frozen=True, eq=False)
-class Truth:
+class TrueKeypoints:
     """Keypoints (M, K, 3) m in G and the dorsum's R_GB (M, 3, 3) at t (M,) s since the beginning of
     the session; NaN where unknown. ``source``: truth or reference."""
 
@@ -51,7 +51,7 @@ class Truth:
         return keypoints, self.R_GB[nearest]
 
 
-def read_truth(path: Path, side: str = "") -> Truth | None:
+def read_truth(path: Path, side: str = "") -> TrueKeypoints | None:
     """The truth of a session, or its reference; None without either. Raises FileError."""
     with SessionReader(path, side=side) as reader:
         start = reader.anchor.monotonic(reader.span_ns[0])
@@ -62,12 +62,12 @@ def read_truth(path: Path, side: str = "") -> Truth | None:
     return None
 
 
-def _truth(truths: list[Estimate], info: SessionInfo, start: float, source: str) -> Truth:
+def _truth(truths: list[Estimate], info: SessionInfo, start: float, source: str) -> TrueKeypoints:
     rows = np.flatnonzero(info.glove.keypoint_segments(info.hand) == info.hand.index["dorsum"])
     q = np.array([e.keypoint_q[rows[0]] for e in truths])
     known = np.isfinite(q).all(axis=1)
     R_GB = so3.matrix_from_quat(np.where(known[:, None], q, [0.0, 0.0, 0.0, 1.0]))
-    return Truth(
+    return TrueKeypoints(
         np.array([e.t - start for e in truths]),
         np.array([e.keypoints for e in truths]),
         np.where(known[:, None, None], R_GB, np.nan),
@@ -75,7 +75,9 @@ def _truth(truths: list[Estimate], info: SessionInfo, start: float, source: str)
     )
 
 
-def trial_of(path: Path, variant: Variant, truth: Truth, number: int, side: str = "") -> Trial:
+def trial_of(
+    path: Path, variant: Variant, truth: TrueKeypoints, number: int, side: str = ""
+) -> Trial:
     """The errors of a variant; ``number`` of the participant. The first `SETTLING` s of a recording
     are not evaluated, as in the evaluation of simulated people."""
     tracked = retracked(path, variant, side)
@@ -119,7 +121,7 @@ def _evaluated(t: Array, duration: float, outage: float) -> NDArray[np.bool_]:
 
 def _articulation(
     estimates: list[Estimate],
-    tracked: Tracked,
+    tracked: RetrackedTrial,
     info: SessionInfo,
     keypoints: Array,
     R_GB: Array,
@@ -139,7 +141,7 @@ def _articulation(
     return out
 
 
-def _scale(tracked: Tracked, info: SessionInfo) -> Array:
+def _scale(tracked: RetrackedTrial, info: SessionInfo) -> Array:
     """Learned scales (S, 3); segments without a scale in the engine have the mean."""
     calibration = tracked.calibration
     if calibration is None:

@@ -15,7 +15,7 @@ from pathlib import Path
 
 from extensions.study.progress import ACCEPTED, Progress
 from extensions.study.protocol import Protocol, load_protocol
-from extensions.study.schedule import Step
+from extensions.study.schedule import ScheduleStep
 from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import make_folder, write_whole
 from tracker.base.notices import failure
@@ -27,7 +27,7 @@ STORED = Path("protocol") / "protocol.toml"
 class Accepted:
     """An accepted trial and its file."""
 
-    step: Step
+    step: ScheduleStep
     path: Path
 
 

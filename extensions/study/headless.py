@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from extensions.study.conductor import Conductor, Phase
+from extensions.study.conductor import Conductor, TrialPhase
 from extensions.study.progress import Progress, locked
 from extensions.study.protocol import Protocol
-from extensions.study.schedule import Step
+from extensions.study.schedule import ScheduleStep
 from extensions.study.simulated import SimulatedStation
-from extensions.study.verdict import Verdict, judge
+from extensions.study.verdict import TrialVerdict, judge
 
 TICK = 0.1  # s of simulated time
 Say = Callable[[str], None]
@@ -44,40 +44,40 @@ class Run:
         conductor = self._conductor
         while (step := conductor.step) is not None:
             match conductor.phase:
-                case Phase.READY:
+                case TrialPhase.READY:
                     self._get_ready(step)
-                case Phase.COUNTDOWN | Phase.RUNNING:
+                case TrialPhase.COUNTDOWN | TrialPhase.RUNNING:
                     self._move(step)
-                case Phase.CHECKING:
+                case TrialPhase.CHECKING:
                     self._check(step)
-                case Phase.VERDICT:
+                case TrialPhase.VERDICT:
                     self._decide(step)
                 case _:
                     conductor.go_on(self._t)
 
-    def _get_ready(self, step: Step) -> None:
+    def _get_ready(self, step: ScheduleStep) -> None:
         self._station.prepare(step, self._conductor.progress.tries)
         self._t = 0.0
         self._conductor.go_on(self._t)
 
-    def _move(self, step: Step) -> None:
+    def _move(self, step: ScheduleStep) -> None:
         self._t = round(self._t + TICK, 6)
         self._station.advance(self._t)
         conductor = self._conductor
-        running = conductor.phase is Phase.RUNNING and step.duration == 0
+        running = conductor.phase is TrialPhase.RUNNING and step.duration == 0
         if running and conductor.elapsed >= self._station.finishes_after(step):
             conductor.go_on(self._t)
         else:
             conductor.tick(self._t)
 
-    def _check(self, step: Step) -> None:
+    def _check(self, step: ScheduleStep) -> None:
         self._conductor.recorded()
         path, limits = self._progress.path(step), self._protocol.limits
         if self._protocol.tasks[step.task].kind == "touch":  # simulated: estimates alone
             limits = replace(limits, packet_rate=0.0, image_rate=0.0, images_missed=1.0)
         self._conductor.judged(judge(path, step, limits))
 
-    def _decide(self, step: Step) -> None:
+    def _decide(self, step: ScheduleStep) -> None:
         conductor, verdict = self._conductor, self._conductor.verdict
         assert verdict is not None
         if verdict.is_good:
@@ -91,7 +91,7 @@ class Run:
             conductor.give_up()
 
 
-def summary(verdict: Verdict) -> str:
+def summary(verdict: TrialVerdict) -> str:
     """Figures of a recording in a few words."""
     m = verdict.measured
     return (
@@ -100,5 +100,5 @@ def summary(verdict: Verdict) -> str:
     )
 
 
-def _why(verdict: Verdict) -> str:
+def _why(verdict: TrialVerdict) -> str:
     return " ".join(str(finding) for finding in verdict.findings)

@@ -9,10 +9,10 @@ from typing import Any
 from extensions.study.folder import Study
 from extensions.study.progress import ACCEPTED, FAILED, FINISHED, OPEN, Progress
 from extensions.study.protocol import Protocol
-from extensions.study.schedule import PRACTICE, TRIAL, Step, condition_order, steps_of
+from extensions.study.schedule import PRACTICE, TRIAL, ScheduleStep, condition_order, steps_of
 
 
-def duration_of(protocol: Protocol, steps: tuple[Step, ...]) -> float:
+def duration_of(protocol: Protocol, steps: tuple[ScheduleStep, ...]) -> float:
     """s; a trial that is ended manually counts with its longest duration."""
     total = 0.0
     for step in steps:

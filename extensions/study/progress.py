@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from extensions.study.protocol import Protocol, Task
-from extensions.study.schedule import TRIAL, Step, steps_of
+from extensions.study.schedule import TRIAL, ScheduleStep, steps_of
 from tracker.base.errors import FileError, GlovetrackError
 from tracker.base.files import make_folder, read_bounded, write_whole
 from tracker.base.notices import failure
@@ -42,7 +42,7 @@ FINISHED = (ACCEPTED, FAILED, DONE)
 class Try:
     """One recording of a trial. ``file``: relative to the participant's folder; ``outcome``:
     empty while it is undecided, else accepted, failed, repeated or interrupted; ``begun``: UTC;
-    ``verdict`` as `extensions.study.verdict.Verdict.as_json`."""
+    ``verdict`` as `extensions.study.verdict.TrialVerdict.as_json`."""
 
     file: str
     begun: str = ""
@@ -78,7 +78,7 @@ class Progress:
             self._read()
 
     @property
-    def step(self) -> Step | None:
+    def step(self) -> ScheduleStep | None:
         """The first step that is not finished; None at the end."""
         return next((s for s in self.steps if self.entries[s.name].state not in FINISHED), None)
 
@@ -95,20 +95,20 @@ class Progress:
         return sum(one.outcome != "interrupted" for one in tries)
 
     @property
-    def trials(self) -> tuple[Step, ...]:
+    def trials(self) -> tuple[ScheduleStep, ...]:
         """All trials, without practice and rests."""
         return tuple(step for step in self.steps if step.kind == TRIAL)
 
-    def entry(self, step: Step) -> Entry:
+    def entry(self, step: ScheduleStep) -> Entry:
         return self.entries[step.name]
 
-    def path(self, step: Step) -> Path:
+    def path(self, step: ScheduleStep) -> Path:
         """The file of a trial."""
         return self.root / f"ses-{step.condition}" / f"{step.name}.mcap"
 
     # ---- changes, each of which is on the disk when the function returns
 
-    def begin(self, step: Step, begun: str) -> Path:
+    def begin(self, step: ScheduleStep, begun: str) -> Path:
         """A trial's recording begins now; returns its path, whose folder exists."""
         path = self.path(step)
         make_folder(path.parent)
@@ -119,7 +119,7 @@ class Progress:
         self.save()
         return path
 
-    def withdraw(self, step: Step) -> None:
+    def withdraw(self, step: ScheduleStep) -> None:
         """The trial's recording could not begin: it does not count as a try."""
         if os.path.lexists(self.path(step)):
             self.repeat(step, "interrupted")
@@ -129,35 +129,35 @@ class Progress:
         entry.state = OPEN
         self.save()
 
-    def recorded(self, step: Step) -> None:
+    def recorded(self, step: ScheduleStep) -> None:
         """The file of a trial is complete."""
         self.entry(step).state = RECORDED
         self.save()
 
-    def judged(self, step: Step, verdict: Mapping[str, Any]) -> None:
+    def judged(self, step: ScheduleStep, verdict: Mapping[str, Any]) -> None:
         """Enter a verdict on the trial's last recording."""
         self.entry(step).tries[-1].verdict = dict(verdict)
         self.save()
 
-    def accept(self, step: Step, failed: bool = False) -> None:
+    def accept(self, step: ScheduleStep, failed: bool = False) -> None:
         """The trial's last recording counts; ``failed``: it is the last try, and not good."""
         entry = self.entry(step)
         entry.state = FAILED if failed else ACCEPTED
         entry.tries[-1].outcome = entry.state
         self.save()
 
-    def repeat(self, step: Step, outcome: str = "repeated") -> None:
+    def repeat(self, step: ScheduleStep, outcome: str = "repeated") -> None:
         """The trial is open again; its last recording is superseded."""
         self._supersede(step, outcome)
         self.entry(step).state = OPEN
         self.save()
 
-    def done(self, step: Step) -> None:
+    def done(self, step: ScheduleStep) -> None:
         """A practice trial or a rest is over."""
         self.entry(step).state = DONE
         self.save()
 
-    def resume(self) -> list[Step]:
+    def resume(self) -> list[ScheduleStep]:
         """After a crash: recordings that were being written are superseded, their readable part
         is recovered next to them, and their trials are open again. Returns these trials."""
         found = []
@@ -185,7 +185,7 @@ class Progress:
 
     # ----
 
-    def _supersede(self, step: Step, outcome: str) -> None:
+    def _supersede(self, step: ScheduleStep, outcome: str) -> None:
         path, entry = self.path(step), self.entry(step)
         if entry.tries and not entry.tries[-1].outcome:
             entry.tries[-1].outcome = outcome

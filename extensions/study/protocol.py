@@ -68,7 +68,7 @@ class Condition:
 
 
 @dataclass(frozen=True)
-class Limits:
+class TrialLimits:
     """What a trial needs to be accepted: shares 0..1 and rates in Hz; 0 (or 1 of what is allowed)
     for no requirement."""
 
@@ -98,7 +98,7 @@ class Protocol:
     rest: float = 20.0
     rest_between_conditions: float = 120.0
     tries: int = 3
-    limits: Limits = field(default_factory=Limits)
+    limits: TrialLimits = field(default_factory=TrialLimits)
 
     @property
     def pictures(self) -> tuple[str, ...]:
@@ -256,11 +256,11 @@ def _task(label: str, table: TomlTable) -> Task:
     return task
 
 
-def _limits(table: TomlTable) -> Limits:
-    usual = Limits()
+def _limits(table: TomlTable) -> TrialLimits:
+    usual = TrialLimits()
     shares = ("duration", "tracked", "measured", "packets_lost", "images_missed")
     found = {key: table.number(key, getattr(usual, key), 0.0, 1.0) for key in shares}
     for key in ("packet_rate", "image_rate"):
         found[key] = table.number(key, getattr(usual, key), 0.0, 10_000.0)
     table.finish()
-    return Limits(**found)
+    return TrialLimits(**found)

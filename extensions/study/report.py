@@ -16,8 +16,8 @@ import numpy as np
 from extensions.study.folder import Study
 from extensions.study.overview import counts
 from extensions.study.progress import ACCEPTED
-from extensions.study.schedule import Step, condition_order
-from extensions.study.verdict import Verdict, stored
+from extensions.study.schedule import ScheduleStep, condition_order
+from extensions.study.verdict import TrialVerdict, stored
 from tracker import __version__
 from tracker.base.command import COMMANDS
 from tracker.base.errors import GlovetrackError
@@ -26,17 +26,17 @@ from tracker.messages import Array
 
 
 @dataclass(frozen=True)
-class Judged:
+class JudgedTrial:
     """A trial with the verdict on its last recording, and how it was decided."""
 
-    step: Step
-    verdict: Verdict
+    step: ScheduleStep
+    verdict: TrialVerdict
     state: str
     tries: int
     path: Path
 
 
-def judged_trials(study: Study) -> list[Judged]:
+def judged_trials(study: Study) -> list[JudgedTrial]:
     """All trials that have a verdict."""
     found = []
     for progress in study.all_progress():
@@ -45,7 +45,7 @@ def judged_trials(study: Study) -> list[Judged]:
             if entry.tries and entry.tries[-1].verdict is not None:
                 verdict = stored(entry.tries[-1].verdict)
                 path = progress.path(step)
-                found.append(Judged(step, verdict, entry.state, len(entry.tries), path))
+                found.append(JudgedTrial(step, verdict, entry.state, len(entry.tries), path))
     return found
 
 
@@ -87,7 +87,7 @@ def _participants(study: Study) -> str:
     return html_table(head, rows)
 
 
-def _conditions(study: Study, trials: Sequence[Judged]) -> str:
+def _conditions(study: Study, trials: Sequence[JudgedTrial]) -> str:
     head = ("condition", "", "task", "trials", "minutes", "tracked %", "measured %", "inferred %",
             "lost %", "packets lost %", "images not searched %")  # fmt: skip
     rows = []
@@ -117,7 +117,9 @@ def _percent(shares: Sequence[float], digits: int = 1) -> str:
     return f"{100 * known.mean():.{digits}f}" if len(known) else "–"
 
 
-def times_of(study: Study, trials: Sequence[Judged], condition: str, task: str) -> dict[str, Array]:
+def times_of(
+    study: Study, trials: Sequence[JudgedTrial], condition: str, task: str
+) -> dict[str, Array]:
     """Durations in s of a timed task's accepted trials, by participant in order of runs."""
     found: dict[str, list[float]] = {}
     for j in trials:
@@ -126,7 +128,7 @@ def times_of(study: Study, trials: Sequence[Judged], condition: str, task: str) 
     return {participant: np.array(times) for participant, times in found.items()}
 
 
-def _times(study: Study, trials: Sequence[Judged]) -> str:
+def _times(study: Study, trials: Sequence[JudgedTrial]) -> str:
     rows = []
     for condition in study.protocol.conditions.values():
         for task in condition.tasks:
@@ -144,7 +146,7 @@ def _times(study: Study, trials: Sequence[Judged]) -> str:
     return html_table(head, rows) if rows else ""
 
 
-def _trials(trials: Sequence[Judged]) -> str:
+def _trials(trials: Sequence[JudgedTrial]) -> str:
     head = ("trial", "", "tries", "s", "tracked %", "measured %", "packets/s", "lost", "images/s",
             "findings")  # fmt: skip
     rows = []

@@ -84,7 +84,7 @@ def chosen(names: tuple[str, ...]) -> list[Variant]:
 
 
 @dataclass(frozen=True, eq=False)
-class Tracked:
+class RetrackedTrial:
     """Estimates at t (N,) s since the beginning of the session ``seen`` (N,): markers matched in
     both images of the latest exposure; -1 if unknown. ``scale`` (S, 3) learned by the engine."""
 
@@ -94,7 +94,7 @@ class Tracked:
     calibration: Calibration | None
 
 
-def recorded(path: Path, side: str = "") -> Tracked:
+def recorded(path: Path, side: str = "") -> RetrackedTrial:
     """The estimates in a file, without retracking. Raises FileError."""
     with SessionReader(path, side=side) as reader:
         start = reader.anchor.monotonic(reader.span_ns[0])
@@ -106,10 +106,10 @@ def recorded(path: Path, side: str = "") -> Tracked:
             elif isinstance(m, Calibration):
                 calibration = m
     t = [e.t - start for e in estimates]
-    return Tracked(estimates, t, np.full(len(t), -1, np.int64), calibration)
+    return RetrackedTrial(estimates, t, np.full(len(t), -1, np.int64), calibration)
 
 
-def retracked(path: Path, variant: Variant, side: str = "") -> Tracked:
+def retracked(path: Path, variant: Variant, side: str = "") -> RetrackedTrial:
     """The estimates of a variant. Deterministic. Raises FileError for a session without data."""
     if not variant.engine:
         return recorded(path, side)
@@ -125,7 +125,7 @@ def retracked(path: Path, variant: Variant, side: str = "") -> Tracked:
         return _track(pipeline, feed)
 
 
-def _track(pipeline: Pipeline, feed: Feed) -> Tracked:
+def _track(pipeline: Pipeline, feed: Feed) -> RetrackedTrial:
     estimates: list[Estimate] = []
     seen: list[int] = []
     latest = 0
@@ -143,7 +143,7 @@ def _track(pipeline: Pipeline, feed: Feed) -> Tracked:
         if isinstance(message, ImuSample):
             seen.append(latest)
     t = [e.t for e in estimates]
-    return Tracked(estimates, t, np.array(seen, np.int64), pipeline.calibration())
+    return RetrackedTrial(estimates, t, np.array(seen, np.int64), pipeline.calibration())
 
 
 def _from_zero(reader: SessionReader) -> Feed:

@@ -27,7 +27,7 @@ class Cue:
 
 
 @dataclass(frozen=True)
-class Step:
+class ScheduleStep:
     """A step of a participant: a trial, a practice trial, which is not recorded, or a rest.
 
     ``name`` is unique for the participant and, of a trial, the name of its file, made of BIDS
@@ -45,9 +45,9 @@ class Step:
     cues: tuple[Cue, ...] = ()
 
 
-def steps_of(protocol: Protocol, participant: str) -> tuple[Step, ...]:
+def steps_of(protocol: Protocol, participant: str) -> tuple[ScheduleStep, ...]:
     """All steps of one of the protocol's participants, in order; the same each time."""
-    steps: list[Step] = []
+    steps: list[ScheduleStep] = []
     for number, label in enumerate(condition_order(protocol, participant)):
         condition = protocol.conditions[label]
         if number and protocol.rest_between_conditions:
@@ -135,7 +135,7 @@ def _cues(task: Task, begin: float, end: float, seed: int, *about: str) -> Itera
             last, count = what, count + 1
 
 
-def _trials(protocol: Protocol, participant: str, condition: Condition) -> Iterator[Step]:
+def _trials(protocol: Protocol, participant: str, condition: Condition) -> Iterator[ScheduleStep]:
     """Trials in blocks, each of which has every task once."""
     for run in range(1, condition.trials + 1):
         tasks = list(condition.tasks)
@@ -145,10 +145,12 @@ def _trials(protocol: Protocol, participant: str, condition: Condition) -> Itera
             task = protocol.tasks[label]
             name = f"sub-{participant}_ses-{condition.name}_task-{label}_run-{run:02}"
             cues = cues_of(task, task.duration, protocol.seed, name)
-            yield Step(TRIAL, name, participant, condition.name, label, run, task.duration, cues)
+            yield ScheduleStep(
+                TRIAL, name, participant, condition.name, label, run, task.duration, cues
+            )
 
 
-def _practice(protocol: Protocol, participant: str, condition: Condition) -> Iterator[Step]:
+def _practice(protocol: Protocol, participant: str, condition: Condition) -> Iterator[ScheduleStep]:
     for run in range(1, condition.practice + 1):
         for label in condition.tasks:
             task = protocol.tasks[label]
@@ -158,10 +160,10 @@ def _practice(protocol: Protocol, participant: str, condition: Condition) -> Ite
             most = task.practice_duration
             duration = 0.0 if task.is_timed else min(most, task.duration or most)
             cues = _cues(task, 0.0, duration or task.longest, protocol.seed, participant, name)
-            yield Step(
+            yield ScheduleStep(
                 PRACTICE, name, participant, condition.name, label, run, duration, tuple(cues)
             )
 
 
-def _rest(participant: str, number: int, duration: float) -> Step:
-    return Step(REST, f"rest-{number:03}", participant, duration=duration)
+def _rest(participant: str, number: int, duration: float) -> ScheduleStep:
+    return ScheduleStep(REST, f"rest-{number:03}", participant, duration=duration)

@@ -14,7 +14,7 @@ from itertools import count
 from pathlib import Path
 
 from extensions.study.protocol import Protocol
-from extensions.study.schedule import Step, digest
+from extensions.study.schedule import ScheduleStep, digest
 from tracker.base.clock import ClockAnchor
 from tracker.base.errors import ConfigError
 from tracker.base.notices import failure
@@ -42,10 +42,10 @@ def write_touch_test(path: Path, seed: int) -> None:
     """A simulated wearer takes the touch test. Raises ConfigError without that extension."""
     try:
         from extensions.touch.simulated.session import write_session
-        from extensions.touch.simulated.trial import Trial
+        from extensions.touch.simulated.trial import SimulatedTrial
     except ModuleNotFoundError as error:
         raise ConfigError(failure("study.needs_extension", name="touch")) from error
-    trial = Trial(seed)
+    trial = SimulatedTrial(seed)
     estimates, calibration = trial.track()
     write_session(path, trial, estimates, calibration)
 
@@ -62,7 +62,7 @@ class SimulatedStation:
         self._feed: Iterator[Message] = iter(())
         self._waiting: Message | None = None
 
-    def prepare(self, step: Step, attempt: int) -> None:
+    def prepare(self, step: ScheduleStep, attempt: int) -> None:
         """The wearer gets ready for a trial; time starts from 0 again."""
         protocol = self._protocol
         task = protocol.tasks[step.task]
@@ -88,7 +88,7 @@ class SimulatedStation:
         self._now = 0.0
         self._counter, self._clock = Counter(), StatusClock()
 
-    def finishes_after(self, step: Step) -> float:
+    def finishes_after(self, step: ScheduleStep) -> float:
         """s after which the participant finishes a trial without a fixed duration."""
         task = self._protocol.tasks[step.task]
         if task.kind == "touch":
@@ -111,7 +111,7 @@ class SimulatedStation:
 
     # ---- a `Station`
 
-    def begin(self, path: Path, step: Step) -> None:
+    def begin(self, path: Path, step: ScheduleStep) -> None:
         """Begin a file with the engine's state; of a touch test, write it completely."""
         if self._is_touch:
             write_touch_test(path, digest(self._protocol.seed, step.name) % PEOPLE)
@@ -146,7 +146,7 @@ class SimulatedStation:
     def _pipeline(self) -> Pipeline:
         return self._hands.pipelines[self._side]
 
-    def _described(self, step: Step, wall_ns: int) -> SessionInfo:
+    def _described(self, step: ScheduleStep, wall_ns: int) -> SessionInfo:
         return describe(
             *self._texts,
             ClockAnchor(wall_ns, 0),

@@ -31,7 +31,7 @@ ALL = "all"
 
 
 @dataclass(frozen=True)
-class Row:
+class TableRow:
     """One line; errors in mm, shares in percent. ``within``: mean of the participants' SDs;
     ``between``: SD of their means. NaN where there are too few."""
 
@@ -121,11 +121,11 @@ def _has_truth(path: Path) -> bool:
         return any(name.startswith(("/truth/", "/reference/")) for name in reader.topic_names)
 
 
-def rows_of(evaluated: Sequence[Evaluated]) -> list[Row]:
+def rows_of(evaluated: Sequence[Evaluated]) -> list[TableRow]:
     """All rows, by condition, variant and keypoint in the order of their appearance. A variant
     without evaluated instants (an outage longer than the trials) has no row."""
     groups = dict.fromkeys((e.condition, e.variant) for e in evaluated)
-    rows: list[Row] = []
+    rows: list[TableRow] = []
     for condition, variant in groups:
         members = [e for e in evaluated if (e.condition, e.variant) == (condition, variant)]
         trials = pooled(members)
@@ -158,7 +158,7 @@ def pooled(members: Sequence[Evaluated]) -> list[Trial]:
 
 def _row(
     condition: str, variant: str, trials: Sequence[Trial], count: int, name: str, columns: list[int]
-) -> Row:
+) -> TableRow:
     """``count`` of recordings; ``columns`` of the keypoints."""
     part = [replace(t, error=t.error[:, columns], sd=t.sd[:, columns]) for t in trials]
     mm = [1e3 * t.error[np.isfinite(t.error).all(axis=1)] for t in part]
@@ -169,7 +169,7 @@ def _row(
     low = max(low, 0.0)  # an error is not negative; NaN remains
     instants = sum(len(t.t) for t in trials)
     nan = float("nan")
-    return Row(
+    return TableRow(
         condition=condition,
         variant=variant,
         keypoint=name,
@@ -194,7 +194,7 @@ HEAD = (
 )
 
 
-def lines_of(rows: Sequence[Row], every_keypoint: bool = True) -> Iterator[str]:
+def lines_of(rows: Sequence[TableRow], every_keypoint: bool = True) -> Iterator[str]:
     """The table as text, with the paper's figures for conditions of its names."""
     yield HEAD
     last = ""
@@ -206,7 +206,7 @@ def lines_of(rows: Sequence[Row], every_keypoint: bool = True) -> Iterator[str]:
             yield _line(row)
 
 
-def _line(r: Row) -> str:
+def _line(r: TableRow) -> str:
     between, interval = f"{'–':>7}", f"{'–':>15}"
     if np.isfinite(r.between_sd_mm):
         between = f"{r.between_sd_mm:7.2f}"
@@ -231,7 +231,7 @@ def _paper_line(condition: str) -> str:
     )
 
 
-def as_table(rows: Sequence[Row]) -> tuple[Sequence[str], Sequence[Sequence[str]]]:
+def as_table(rows: Sequence[TableRow]) -> tuple[Sequence[str], Sequence[Sequence[str]]]:
     """Head and rows of texts; conditions of the paper's names are followed by its figures."""
     head = ("condition", "variant", "keypoint", "participants", "trials", "mean mm", "SD mm",
             "SD within", "SD between", "95 % interval mm", "PCK 20 mm %", "PCK 35 mm %",
@@ -251,10 +251,10 @@ def as_table(rows: Sequence[Row]) -> tuple[Sequence[str], Sequence[Sequence[str]
     return head, [tuple(c.replace("nan", "–") for c in row) for row in out]
 
 
-def as_csv(rows: Sequence[Row]) -> str:
+def as_csv(rows: Sequence[TableRow]) -> str:
     """One line per row; unknown values are empty."""
     out = io.StringIO()
-    names = list(Row.__dataclass_fields__)
+    names = list(TableRow.__dataclass_fields__)
     writer = csv.DictWriter(out, names, lineterminator="\n")
     writer.writeheader()
     for row in rows:

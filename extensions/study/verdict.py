@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from extensions.study.protocol import Limits
-from extensions.study.schedule import Step
+from extensions.study.protocol import TrialLimits
+from extensions.study.schedule import ScheduleStep
 from tracker.base.errors import GlovetrackError
 from tracker.base.notices import Notice, from_json, to_json, warning
 from tracker.messages import BlobFrame, Estimate, ImuSample, Status, Validity
@@ -22,7 +22,7 @@ NAN = float("nan")
 
 
 @dataclass(frozen=True)
-class Measured:
+class MeasuredRecording:
     """For a recording, of the worse hand if there are two. ``duration`` s from the first packet to
     the last (without packets: of the file). ``tracked``: share of the time; ``measured``,
     ``inferred``, ``lost``: shares of all keypoints and instants. ``packet_rate``, ``image_rate``
@@ -43,10 +43,10 @@ class Measured:
 
 
 @dataclass(frozen=True)
-class Verdict:
+class TrialVerdict:
     """``findings``: requirements that the recording misses; it is good without any."""
 
-    measured: Measured
+    measured: MeasuredRecording
     findings: tuple[Notice, ...] = ()
 
     @property
@@ -60,26 +60,26 @@ class Verdict:
         return {"good": self.is_good, "measured": numbers, "findings": found}
 
 
-def stored(record: Mapping[str, Any]) -> Verdict:
-    """The inverse of `Verdict.as_json`."""
+def stored(record: Mapping[str, Any]) -> TrialVerdict:
+    """The inverse of `TrialVerdict.as_json`."""
     numbers: dict[str, Any] = {k: NAN if v is None else v for k, v in record["measured"].items()}
     found = [from_json(f) for f in record["findings"]]
-    return Verdict(Measured(**numbers), tuple(f for f in found if f is not None))
+    return TrialVerdict(MeasuredRecording(**numbers), tuple(f for f in found if f is not None))
 
 
-def judge(path: Path, step: Step, limits: Limits) -> Verdict:
+def judge(path: Path, step: ScheduleStep, limits: TrialLimits) -> TrialVerdict:
     """The verdict on a trial's recording; an unreadable one is a finding too."""
     try:
         measured = measure(path)
     except GlovetrackError as error:
-        return Verdict(Measured(), (warning("study.unreadable", why=error),))
+        return TrialVerdict(MeasuredRecording(), (warning("study.unreadable", why=error),))
     findings = findings_of(measured, step.duration, limits)
     if session_summary(path)["integrity"] != "ok":
         findings.insert(0, warning("study.unfinished"))
-    return Verdict(measured, tuple(findings))
+    return TrialVerdict(measured, tuple(findings))
 
 
-def measure(path: Path) -> Measured:
+def measure(path: Path) -> MeasuredRecording:
     """Reads a recording. Raises FileError if it is not a session."""
     with SessionReader(path) as reader:
         sides = reader.sides or ("",)
@@ -93,7 +93,7 @@ def measure(path: Path) -> Measured:
     return replace(worse, tracked=tracked, packets_lost=lost)
 
 
-def _hand(path: Path, side: str, pictures: int) -> Measured:
+def _hand(path: Path, side: str, pictures: int) -> MeasuredRecording:
     """``pictures``: number of recorded left images."""
     counts = np.zeros(3, np.int64)
     t: list[float] = []
@@ -114,7 +114,7 @@ def _hand(path: Path, side: str, pictures: int) -> Measured:
     if pictures:
         missed = max(pictures - searched, 0) / pictures
     of_all = counts / counts.sum() if counts.any() else np.full(3, NAN)
-    return Measured(
+    return MeasuredRecording(
         duration=duration,
         measured=float(of_all[Validity.MEASURED]),
         inferred=float(of_all[Validity.INFERRED]),
@@ -127,7 +127,7 @@ def _hand(path: Path, side: str, pictures: int) -> Measured:
     )
 
 
-def findings_of(m: Measured, planned: float, limits: Limits) -> list[Notice]:
+def findings_of(m: MeasuredRecording, planned: float, limits: TrialLimits) -> list[Notice]:
     """What is missing; ``planned`` duration in s, 0 for none."""
     least, lost = limits.duration * planned, m.packets_lost / max(m.packets + m.packets_lost, 1)
     required = (

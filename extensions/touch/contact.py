@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from extensions.touch.rest import Touch
+from extensions.touch.rest import CrossTouch
 from tracker.messages import Array
 
 OFFSET_SD = 0.0005  # m, each axis: how pulps differ from the hand file
@@ -58,14 +58,14 @@ class Pulp:
         return self.held.bias + self.held.residual
 
 
-def base_contacts(touches: Sequence[Touch], up_G: Array) -> Array:
+def base_contacts(touches: Sequence[CrossTouch], up_G: Array) -> Array:
     """(n, 3) m in G from the tip to the lowest point of its round end."""
     along = np.array([-1.0, 0.0, 0.0])
     out = [t.radius * (t.R_GB @ along) - (t.radius - PRESSED) * up_G for t in touches]
     return np.array(out)
 
 
-def fit_pulp(touches: Sequence[Touch], up_G: Array) -> Pulp:
+def fit_pulp(touches: Sequence[CrossTouch], up_G: Array) -> Pulp:
     """For one finger's touches."""
     base = base_contacts(touches, up_G)
     held = _fit(touches, base, OFFSET_SD)
@@ -74,7 +74,7 @@ def fit_pulp(touches: Sequence[Touch], up_G: Array) -> Pulp:
     return Pulp(held, _fit(touches, base, FREE_SD), total)
 
 
-def _fit(touches: Sequence[Touch], base: Array, offset_sd: float) -> Fit:
+def _fit(touches: Sequence[CrossTouch], base: Array, offset_sd: float) -> Fit:
     """Offset and bias by least squares with a normal prior of the offset; the noise follows from
     the residuals by iteration."""
     R = np.array([t.R_GB for t in touches])

@@ -10,12 +10,12 @@ from scipy.signal import find_peaks
 
 from extensions.touch.contact import Pulp
 from extensions.touch.protocol import Cued
-from extensions.touch.rest import Touch
+from extensions.touch.rest import CrossTouch
 from extensions.touch.statistics import (
     LEVEL,
     RESAMPLES,
     SEED,
-    Interval,
+    ConfidenceInterval,
     mean_interval,
     sd_interval,
 )
@@ -33,12 +33,14 @@ class Lengths:
     """Ruler test: ``error`` m, mean of found less known lengths; ``scale`` found over known."""
 
     count: int
-    error: Interval
+    error: ConfidenceInterval
     sd: float
-    scale: Interval
+    scale: ConfidenceInterval
 
 
-def ruler_test(touches: Mapping[str, Sequence[Touch]], pulps: Mapping[str, Pulp]) -> Lengths | None:
+def ruler_test(
+    touches: Mapping[str, Sequence[CrossTouch]], pulps: Mapping[str, Pulp]
+) -> Lengths | None:
     """Lengths between crosses that one finger touched; None with fewer than two. Intervals by
     bootstrap over touches, since lengths that share one depend on each other."""
     pairs = [_lengths(some, pulps[finger]) for finger, some in touches.items()]
@@ -56,13 +58,13 @@ def ruler_test(touches: Mapping[str, Sequence[Touch]], pulps: Mapping[str, Pulp]
     error, scale = _error_and_scale(rows)
     return Lengths(
         len(rows),
-        Interval(error, float(low[0]), float(high[0])),
+        ConfidenceInterval(error, float(low[0]), float(high[0])),
         float(np.std(rows[:, 0] - rows[:, 1], ddof=1)),
-        Interval(scale, float(low[1]), float(high[1])),
+        ConfidenceInterval(scale, float(low[1]), float(high[1])),
     )
 
 
-def _lengths(touches: Sequence[Touch], pulp: Pulp) -> tuple[Array, Array]:
+def _lengths(touches: Sequence[CrossTouch], pulp: Pulp) -> tuple[Array, Array]:
     """(n, n) m between contacts and between their crosses."""
     target = np.array([t.target_G for t in touches])
     contact = target + pulp.error
@@ -88,8 +90,8 @@ def _error_and_scale(rows: Array) -> tuple[float, float]:
 
 
 def return_test(
-    touches: Mapping[str, Sequence[Touch]], pulps: Mapping[str, Pulp]
-) -> Interval | None:
+    touches: Mapping[str, Sequence[CrossTouch]], pulps: Mapping[str, Pulp]
+) -> ConfidenceInterval | None:
     """m: how far the contact after five seconds out of view is from that before, on one cross."""
     apart = []
     for finger, some in touches.items():
@@ -109,8 +111,8 @@ class Closure:
     """Pinches: ``gap`` m between the pads of thumb and index when closed, and its sd."""
 
     count: int
-    gap: Interval
-    sd: Interval
+    gap: ConfidenceInterval
+    sd: ConfidenceInterval
 
 
 def pinch_closure(

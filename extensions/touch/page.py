@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from extensions.sheets.page import FAINT, INK, PAPERS_MM, Page
 from extensions.touch import sheet
-from extensions.touch.sheet import CROSSES, Cross, TouchSheet
+from extensions.touch.sheet import CROSSES, SheetCross, TouchSheet
 
 MM = 1000.0
 LABEL_MM = 4.0  # of a cross's number from its middle
@@ -40,7 +40,7 @@ def _sheet_page(wide_mm: float, high_mm: float) -> Page:
     return page
 
 
-def _draw_cross(page: Page, cross: Cross, x_mm: float, y_mm: float) -> None:
+def _draw_cross(page: Page, cross: SheetCross, x_mm: float, y_mm: float) -> None:
     half = sheet.CROSS * MM / 2
     page.axes.plot([x_mm - half, x_mm + half], [y_mm, y_mm], color=INK, linewidth=0.6)
     page.axes.plot([x_mm, x_mm], [y_mm - half, y_mm + half], color=INK, linewidth=0.6)

@@ -28,7 +28,7 @@ STILL = 10.0  # s
 
 
 @dataclass(frozen=True)
-class Cue:
+class TouchCue:
     """What the wearer is asked for. ``what``: touch, pinch or still; the rest of a touch alone."""
 
     number: int
@@ -42,27 +42,27 @@ class Cue:
 class Cued:
     """A cue and its time, s."""
 
-    cue: Cue
+    cue: TouchCue
     begin: float
     end: float
 
 
-def touches() -> list[Cue]:
+def touches() -> list[TouchCue]:
     """The 24 touches: eight of each finger."""
-    out: list[Cue] = []
+    out: list[TouchCue] = []
     for finger in FINGERS:
         for target, how in zip(_CROSSES[finger], _HOW, strict=True):
-            out.append(Cue(len(out) + 1, "touch", finger, target, how))
+            out.append(TouchCue(len(out) + 1, "touch", finger, target, how))
     return out
 
 
-def protocol() -> list[Cue]:
+def protocol() -> list[TouchCue]:
     """The touches, then the pinches and the still hand."""
     out = touches()
-    return [*out, Cue(len(out) + 1, "pinch"), Cue(len(out) + 2, "still")]
+    return [*out, TouchCue(len(out) + 1, "pinch"), TouchCue(len(out) + 2, "still")]
 
 
-def began(cue: Cue, t: float) -> Event:
+def began(cue: TouchCue, t: float) -> Event:
     """The wearer is asked for ``cue`` from ``t`` (s) on."""
     data = {"cue": cue.what, "number": cue.number, "phase": "begin"}
     if cue.what != "touch":
@@ -74,7 +74,7 @@ def began(cue: Cue, t: float) -> Event:
     return Event.of(t, KIND, cued, data)
 
 
-def ended(cue: Cue, t: float, done: bool = True) -> Event:
+def ended(cue: TouchCue, t: float, done: bool = True) -> Event:
     """The cue is over at ``t`` (s); ``done``: not skipped or to be repeated."""
     data = {"cue": cue.what, "number": cue.number, "phase": "end", "done": done}
     return Event(t, KIND, "", data)
@@ -99,7 +99,7 @@ def ruler_of(events: Iterable[Event]) -> float | None:
 def cues_of(events: Iterable[Event]) -> list[Cued]:
     """The cues that were carried out, in order of time; one that was repeated counts once, with
     its last attempt."""
-    begun: dict[int, tuple[Cue, float]] = {}
+    begun: dict[int, tuple[TouchCue, float]] = {}
     done: dict[int, Cued] = {}
     for event in events:
         number, phase = event.data.get("number"), event.data.get("phase")
@@ -116,11 +116,11 @@ def cues_of(events: Iterable[Event]) -> list[Cued]:
     return sorted(done.values(), key=lambda c: c.begin)
 
 
-def _cue(event: Event, number: int) -> Cue | None:
+def _cue(event: Event, number: int) -> TouchCue | None:
     """None where the event asks for nothing that this version knows."""
     what = str(event.data.get("cue"))
     if what in ("pinch", "still"):
-        return Cue(number, what)
+        return TouchCue(number, what)
     finger, target, how = (str(event.data.get(k)) for k in ("finger", "target", "how"))
     known = what == "touch" and finger in FINGERS and target in BY_NAME and how in HOW
-    return Cue(number, what, finger, target, how) if known else None
+    return TouchCue(number, what, finger, target, how) if known else None

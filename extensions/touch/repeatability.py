@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from extensions.touch.result import FingerResult, TouchResult
-from extensions.touch.statistics import Interval, sd_interval
+from extensions.touch.statistics import ConfidenceInterval, sd_interval
 from tracker.base.errors import ConfigError
 from tracker.base.notices import failure
 
@@ -30,8 +30,8 @@ class Repeated:
 
     finger: str
     sessions: int
-    within: Interval
-    between: Interval
+    within: ConfidenceInterval
+    between: ConfidenceInterval
     wearing: float
     limit: float
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from extensions.touch.figures import svg, write_pdf
 from extensions.touch.result import AXES, NORMAL, FingerResult, TouchResult
-from extensions.touch.statistics import Interval
+from extensions.touch.statistics import ConfidenceInterval
 from tracker import __version__
 from tracker.base.errors import ConfigError
 from tracker.base.files import check_target, whole_files
@@ -145,13 +145,13 @@ def summary_rows(result: TouchResult) -> list[tuple[str, str]]:
     return rows
 
 
-def mm(interval: Interval) -> str:
+def mm(interval: ConfidenceInterval) -> str:
     """In mm with its confidence interval."""
     value, low, high = (MM * v for v in (interval.value, interval.low, interval.high))
     return f"{value:.1f} ({low:.1f} to {high:.1f})"
 
 
-def _per_100(interval: Interval) -> str:
+def _per_100(interval: ConfidenceInterval) -> str:
     value, low, high = (100 * v for v in (interval.value, interval.low, interval.high))
     return f"{value:.1f} ({low:.1f} to {high:.1f})"
 
@@ -241,9 +241,9 @@ def _finger_json(f: FingerResult) -> dict[str, Any]:
     }
 
 
-def _mm(interval: Interval) -> dict[str, float]:
+def _mm(interval: ConfidenceInterval) -> dict[str, float]:
     return _plain(interval.scaled(MM))
 
 
-def _plain(interval: Interval) -> dict[str, float]:
+def _plain(interval: ConfidenceInterval) -> dict[str, float]:
     return {"value": interval.value, "low": interval.low, "high": interval.high}

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from extensions.touch.pose import SheetPose
-from extensions.touch.protocol import Cue, Cued
+from extensions.touch.protocol import Cued, TouchCue
 from extensions.touch.sheet import CROSSES
 from extensions.touch.track import TipTrack
 from tracker.messages import Array
@@ -27,7 +27,7 @@ ALONE = 0.012  # m by which the next cross, or finger, must be farther without a
 
 
 @dataclass(frozen=True, eq=False)
-class Touch:
+class CrossTouch:
     """A fingertip on a cross from ``begin`` to ``end`` s; means over that time.
 
     p_G (3,) m of the tip keypoint, R_GB (3, 3), sd m claimed, radius m, target_G (3,) m;
@@ -36,7 +36,7 @@ class Touch:
     instead of.
     """
 
-    cue: Cue
+    cue: TouchCue
     begin: float
     end: float
     p_G: Array
@@ -50,10 +50,10 @@ class Touch:
 
 def find_touches(
     tracks: Mapping[str, TipTrack], cued: Sequence[Cued], pose: SheetPose
-) -> tuple[list[Touch], list[Cue]]:
+) -> tuple[list[CrossTouch], list[TouchCue]]:
     """The touches that were asked for, and the cues for which none was found."""
-    found: list[Touch] = []
-    missed: list[Cue] = []
+    found: list[CrossTouch] = []
+    missed: list[TouchCue] = []
     for c in cued:
         if c.cue.what != "touch":
             continue
@@ -65,9 +65,9 @@ def find_touches(
     return found, missed
 
 
-def find_free_touches(tracks: Mapping[str, TipTrack], pose: SheetPose) -> list[Touch]:
+def find_free_touches(tracks: Mapping[str, TipTrack], pose: SheetPose) -> list[CrossTouch]:
     """Touches without cues: rests near one cross and with one finger only."""
-    found: list[Touch] = []
+    found: list[CrossTouch] = []
     for finger, track in tracks.items():
         for begin, end in rests(track):
             middle = _mean(track, begin, end)
@@ -76,7 +76,7 @@ def find_free_touches(tracks: Mapping[str, TipTrack], pose: SheetPose) -> list[T
                 continue
             others = [_nearest(t, begin, end, pose) for f, t in tracks.items() if f != finger]
             if min(others, default=np.inf) > off[0] + ALONE:
-                cue = Cue(len(found) + 1, "touch", finger, names[0], "free")
+                cue = TouchCue(len(found) + 1, "touch", finger, names[0], "free")
                 found.append(_touch(track, cue, begin, end, pose))
     return sorted(found, key=lambda touch: touch.begin)
 
@@ -103,7 +103,7 @@ def _speed(track: TipTrack) -> Array:
     return np.where(np.isfinite(speed), speed, np.inf)
 
 
-def _asked_touch(tracks: Mapping[str, TipTrack], c: Cued, pose: SheetPose) -> Touch | None:
+def _asked_touch(tracks: Mapping[str, TipTrack], c: Cued, pose: SheetPose) -> CrossTouch | None:
     """The longest rest on a cross while it was asked for; a finger that still rests on the cross
     before when it is asked for the next one counts only if it does not rest again."""
     if c.cue.finger not in tracks:
@@ -124,7 +124,7 @@ def _asked_touch(tracks: Mapping[str, TipTrack], c: Cued, pose: SheetPose) -> To
     if best is None:
         return None
     begin, end, name = best
-    cue = Cue(c.cue.number, "touch", c.cue.finger, name, c.cue.how)
+    cue = TouchCue(c.cue.number, "touch", c.cue.finger, name, c.cue.how)
     return _touch(track, cue, begin, end, pose, c.cue.target)
 
 
@@ -153,12 +153,12 @@ def _mean(track: TipTrack, begin: float, end: float) -> Array:
 
 
 def _touch(
-    track: TipTrack, cue: Cue, begin: float, end: float, pose: SheetPose, asked: str = ""
-) -> Touch:
+    track: TipTrack, cue: TouchCue, begin: float, end: float, pose: SheetPose, asked: str = ""
+) -> CrossTouch:
     part = track.between(begin, end)
     target = next(c for c in CROSSES if c.name == cue.target)
     u, _, vt = np.linalg.svd(part.R_GB[part.known].mean(axis=0))
-    return Touch(
+    return CrossTouch(
         cue=cue,
         begin=begin,
         end=end,

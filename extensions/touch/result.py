@@ -13,10 +13,10 @@ import numpy as np
 from extensions.touch.contact import Pulp, base_contacts, fit_pulp
 from extensions.touch.lengths import Closure, Lengths, Stillness, return_test, ruler_test
 from extensions.touch.pose import SheetPose
-from extensions.touch.protocol import FINGERS, Cue
-from extensions.touch.rest import Touch
+from extensions.touch.protocol import FINGERS, TouchCue
+from extensions.touch.rest import CrossTouch
 from extensions.touch.statistics import (
-    Interval,
+    ConfidenceInterval,
     agreement_limits,
     bootstrap,
     mean_interval,
@@ -45,16 +45,16 @@ class FingerResult:
     """
 
     finger: str
-    touches: tuple[Touch, ...]
+    touches: tuple[CrossTouch, ...]
     pulp: Pulp
     error_S: Array
-    bias: tuple[Interval, ...]
-    bias_length: Interval
+    bias: tuple[ConfidenceInterval, ...]
+    bias_length: ConfidenceInterval
     sd_axes: Array
-    sd: Interval
-    limits: tuple[tuple[Interval, Interval], ...]
-    distance: Interval
-    p95: Interval
+    sd: ConfidenceInterval
+    limits: tuple[tuple[ConfidenceInterval, ConfidenceInterval], ...]
+    distance: ConfidenceInterval
+    p95: ConfidenceInterval
     unfitted: float
 
     @property
@@ -70,19 +70,19 @@ class TouchResult:
 
     pose: SheetPose
     fingers: tuple[FingerResult, ...]
-    missed: tuple[Cue, ...]
-    bias_length: Interval
-    sd: Interval
-    distance: Interval
-    p95: Interval
-    claims: tuple[Interval, ...]
+    missed: tuple[TouchCue, ...]
+    bias_length: ConfidenceInterval
+    sd: ConfidenceInterval
+    distance: ConfidenceInterval
+    p95: ConfidenceInterval
+    claims: tuple[ConfidenceInterval, ...]
     claimed_sd: float
-    slope: Interval
-    depth: tuple[Interval, Interval]
-    across: tuple[Interval, Interval]
-    by_how: Mapping[str, Interval]
+    slope: ConfidenceInterval
+    depth: tuple[ConfidenceInterval, ConfidenceInterval]
+    across: tuple[ConfidenceInterval, ConfidenceInterval]
+    by_how: Mapping[str, ConfidenceInterval]
     ruler: Lengths | None
-    returned: Interval | None
+    returned: ConfidenceInterval | None
     closure: Closure | None = None
     still: tuple[Stillness, ...] = ()
     notices: tuple[Notice, ...] = ()
@@ -93,7 +93,7 @@ class TouchResult:
         return sum(f.count for f in self.fingers)
 
     @property
-    def touches(self) -> list[Touch]:
+    def touches(self) -> list[CrossTouch]:
         return [t for f in self.fingers for t in f.touches]
 
     @property
@@ -116,8 +116,8 @@ class TouchResult:
 
 
 def evaluate(
-    touches: Sequence[Touch],
-    missed: Sequence[Cue],
+    touches: Sequence[CrossTouch],
+    missed: Sequence[TouchCue],
     pose: SheetPose,
     camera_G: Array,
 ) -> TouchResult:
@@ -156,7 +156,9 @@ def evaluate(
     )
 
 
-def _finger(finger: str, touches: Sequence[Touch], pulp: Pulp, pose: SheetPose) -> FingerResult:
+def _finger(
+    finger: str, touches: Sequence[CrossTouch], pulp: Pulp, pose: SheetPose
+) -> FingerResult:
     axes = pose.R_GS @ np.diag([1.0, -1.0, -1.0])
     error_S = pulp.error @ axes
     n = len(touches)
@@ -168,7 +170,7 @@ def _finger(finger: str, touches: Sequence[Touch], pulp: Pulp, pose: SheetPose) 
     for k in range(3):
         half = mean_interval(error_S[:, k])
         wide = float(np.hypot(half.high - half.value, 1.96 * np.sqrt(variance[k])))
-        bias.append(Interval(half.value, half.value - wide, half.value + wide))
+        bias.append(ConfidenceInterval(half.value, half.value - wide, half.value + wide))
     own = base_contacts(touches, axes[:, 2])
     unfitted = np.mean([t.p_G - t.target_G for t in touches], axis=0) + own.mean(axis=0)
     return FingerResult(
@@ -187,7 +189,7 @@ def _finger(finger: str, touches: Sequence[Touch], pulp: Pulp, pose: SheetPose) 
     )
 
 
-def _offset_cov(touches: Sequence[Touch], pulp: Pulp) -> Array:
+def _offset_cov(touches: Sequence[CrossTouch], pulp: Pulp) -> Array:
     """(3, 3) m² in G: what the offset's uncertainty adds to that of the mean contact."""
     R = np.mean([t.R_GB for t in touches], axis=0)
     return R @ np.diag(pulp.held.offset_sd**2) @ R.T
@@ -201,7 +203,7 @@ def _p95(length: Array) -> float:
     return float(np.percentile(length, 95))
 
 
-def _pooled_sd(fingers: Sequence[FingerResult]) -> Interval:
+def _pooled_sd(fingers: Sequence[FingerResult]) -> ConfidenceInterval:
     """Per axis, about each finger's own bias."""
     dof = sum(3 * (f.count - 1) for f in fingers)
     total = sum(3 * (f.count - 1) * f.sd.value**2 for f in fingers)
@@ -209,8 +211,10 @@ def _pooled_sd(fingers: Sequence[FingerResult]) -> Interval:
 
 
 def _directions(
-    touches: Sequence[Touch], error_G: Array, camera_G: Array
-) -> tuple[tuple[Interval, Interval], tuple[Interval, Interval]]:
+    touches: Sequence[CrossTouch], error_G: Array, camera_G: Array
+) -> tuple[
+    tuple[ConfidenceInterval, ConfidenceInterval], tuple[ConfidenceInterval, ConfidenceInterval]
+]:
     """(bias, sd) along the line of sight, positive away from the camera, and across it."""
     ray = np.array([t.target_G - camera_G for t in touches])
     ray /= np.linalg.norm(ray, axis=1, keepdims=True)
@@ -224,7 +228,7 @@ def _directions(
     )
 
 
-def _claims(touches: Sequence[Touch], error_G: Array) -> tuple[Interval, ...]:
+def _claims(touches: Sequence[CrossTouch], error_G: Array) -> tuple[ConfidenceInterval, ...]:
     sd = np.array([t.sd for t in touches])[:, None]
     known = np.isfinite(sd) & (sd > 0)
     ratio = np.abs(error_G) / np.where(known, sd, np.nan)
@@ -232,7 +236,7 @@ def _claims(touches: Sequence[Touch], error_G: Array) -> tuple[Interval, ...]:
     return tuple(share_interval(int(np.sum(ratio < k)), len(ratio)) for k in (1, 2, 3))
 
 
-def _by_how(touches: Sequence[Touch], length: Array) -> dict[str, Interval]:
+def _by_how(touches: Sequence[CrossTouch], length: Array) -> dict[str, ConfidenceInterval]:
     names = dict.fromkeys(t.cue.how for t in touches)
     return {
         how: mean_interval(length[[k for k, t in enumerate(touches) if t.cue.how == how]])
@@ -240,7 +244,7 @@ def _by_how(touches: Sequence[Touch], length: Array) -> dict[str, Interval]:
     }
 
 
-def _notices(fingers: Sequence[FingerResult], missed: Sequence[Cue]) -> list[Notice]:
+def _notices(fingers: Sequence[FingerResult], missed: Sequence[TouchCue]) -> list[Notice]:
     out = []
     if missed:
         numbers = [str(c.number) for c in missed]

@@ -32,7 +32,7 @@ RULER = COLUMNS * SQUARE  # m, the line that the user measures: the width of the
 
 
 @dataclass(frozen=True)
-class Cross:
+class SheetCross:
     """A target: ``x``, ``y`` m on the paper, ``height`` m above it."""
 
     number: int
@@ -50,10 +50,10 @@ class Cross:
         return np.array([self.x, self.y, -self.height])
 
 
-def _crosses() -> tuple[Cross, ...]:
+def _crosses() -> tuple[SheetCross, ...]:
     flat = [(x, y, 0.0) for y in (0.100, 0.128) for x in (0.055, 0.105, 0.155, 0.205)]
     raised = [(x, RIDGE_Y, RIDGE_HEIGHT) for x in (0.070, 0.110, 0.150, 0.190)]
-    return tuple(Cross(k, *place) for k, place in enumerate(flat + raised, 1))
+    return tuple(SheetCross(k, *place) for k, place in enumerate(flat + raised, 1))
 
 
 CROSSES = _crosses()

@@ -17,7 +17,7 @@ from extensions.osc import decode
 from extensions.osc.decode import OscError
 from extensions.osc.encode import bundle, message
 from extensions.vr.buttons import ButtonGestures, ControlReader, Controls
-from extensions.vr.skeleton import Pose, Skeleton, in_unity
+from extensions.vr.skeleton import BoneSkeleton, RigidMotion, in_unity
 from tracker.base.notices import Notice, notice
 from tracker.gestures.recogniser import GestureRecogniser
 from tracker.messages import Estimate
@@ -40,7 +40,7 @@ NOW = 0.0  # the time offset of every message
 @dataclass(frozen=True)
 class VmtDevice:
     """What one hand is in SteamVR: ``index`` of VMT's devices, 0 to 57; ``controller`` as in
-    `Skeleton`."""
+    `BoneSkeleton`."""
 
     index: int
     controller: bool = False
@@ -59,7 +59,7 @@ class VmtPublisher:
         self.name = f"VMT to {host}:{port}"
         self._names = names if names.openxr else names.with_openxr()
         self._device = device.index
-        self._skeleton = Skeleton(names.side, device.controller)
+        self._skeleton = BoneSkeleton(names.side, device.controller)
         recogniser = GestureRecogniser(names.model, names.keypoints)
         self._controls = ControlReader(names.model, recogniser, gestures)
         self._socket = DatagramSocket("VMT", host, port)
@@ -129,7 +129,7 @@ def driver_version(port: int = ANSWER_PORT, patience: float = ALIVE_WAIT) -> str
     return None
 
 
-def _numbers(pose: Pose) -> list[float]:
+def _numbers(pose: RigidMotion) -> list[float]:
     """Position and quaternion in Unity's axes."""
     p, q = pose.in_unity()
     return [*p.tolist(), *q.tolist()]

@@ -9,7 +9,7 @@ from tracker import GRAVITY
 from tracker.calibration.imu_axes import FEWEST, RestFinder, fit_axes
 from tracker.geometry import so3
 from tracker.messages import Array, ImuSample
-from tracker.simulation.imu_errors import ImuErrors, ImuParams
+from tracker.simulation.imu_errors import DrawnImuErrors, ImuParams
 from tracker.simulation.smooth import minimum_jerk
 
 N = 3
@@ -41,9 +41,9 @@ def turned(positions: list[Array], rate_hz: float = RATE_HZ) -> tuple[Array, Arr
     return np.array(R), np.array(rate)
 
 
-def found_in(positions: list[Array], seed: int = 3) -> tuple[RestFinder, ImuErrors]:
+def found_in(positions: list[Array], seed: int = 3) -> tuple[RestFinder, DrawnImuErrors]:
     params, rng = ImuParams(), np.random.default_rng(seed)
-    errors = ImuErrors(N, seed, params)
+    errors = DrawnImuErrors(N, seed, params)
     R, rate = turned(positions)
     force = np.swapaxes(R, 1, 2) @ np.array([0, 0, GRAVITY])
     shape = (len(R), N, 3)
@@ -58,18 +58,18 @@ def found_in(positions: list[Array], seed: int = 3) -> tuple[RestFinder, ImuErro
 
 
 @pytest.fixture(scope="module")
-def found() -> tuple[RestFinder, ImuErrors]:
+def found() -> tuple[RestFinder, DrawnImuErrors]:
     return found_in(orientations(12))
 
 
-def test_each_rest_and_position_is_found(found: tuple[RestFinder, ImuErrors]) -> None:
+def test_each_rest_and_position_is_found(found: tuple[RestFinder, DrawnImuErrors]) -> None:
     assert len(found[0].rests) == 12 and len(found[0].turns()) == 11
     assert found[0].positions() == 12 and found[0].is_still
 
 
 @pytest.mark.parametrize("imu", range(N))
 def test_the_errors_are_those_of_the_simulated_imus(
-    found: tuple[RestFinder, ImuErrors], imu: int
+    found: tuple[RestFinder, DrawnImuErrors], imu: int
 ) -> None:
     """C M is a rotation, the same for both sensors: that of the axes to which both refer."""
     result = fit_axes(found[0], imu)

@@ -11,7 +11,7 @@ import pytest
 from tests.notices import raises
 from tests.sensors.test_stereo_files import ZED
 from tracker.base.errors import ConfigError, GlovetrackError
-from tracker.calibration.stereo.files import ImportForm, load_rig, rig_text
+from tracker.calibration.stereo.files import MissingFacts, load_rig, rig_text
 from tracker.cli import main
 from tracker.engine.pipeline import Pipeline
 from tracker.glove import library
@@ -45,9 +45,9 @@ def test_a_calibration_file_keeps_the_line_time(tmp_path: Path, cameras: int) ->
 def test_a_zed_has_the_line_time_of_its_mode(tmp_path: Path) -> None:
     path = tmp_path / "SN12.conf"
     path.write_text(ZED)
-    assert load_rig(path, ImportForm(fps=30.0)).line_time == 25.6e-6
-    assert load_rig(path, ImportForm(fps=60.0)).line_time == 15.7e-6
-    assert load_rig(path, ImportForm(fps=15.0)).line_time == 0.0
+    assert load_rig(path, MissingFacts(fps=30.0)).line_time == 25.6e-6
+    assert load_rig(path, MissingFacts(fps=60.0)).line_time == 15.7e-6
+    assert load_rig(path, MissingFacts(fps=15.0)).line_time == 0.0
     assert zed_line_time(376, 60.0) == 0.0
     path.write_text(ZED + "[LEFT_CAM_SVGA]\nfx = 350\n")
     assert load_rig(path).line_time == 0.0

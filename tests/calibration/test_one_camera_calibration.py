@@ -14,7 +14,7 @@ from tests.notices import raises
 from tracker.base.errors import ConfigError
 from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.stereo.checks import Extrinsics, extrinsics_of, rig_problems
-from tracker.calibration.stereo.collect import Answer, Collector
+from tracker.calibration.stereo.collect import Collector, ExposureResult
 from tracker.calibration.stereo.coverage import advice, coverage
 from tracker.calibration.stereo.files import load_rig, save_calibration
 from tracker.calibration.stereo.solve import Solution, SolveParams, solve
@@ -135,7 +135,12 @@ def test_views_of_one_camera_are_collected_and_advised() -> None:
     collector = Collector(640)
     first, second = views(16, 1)[:2]
     answers = [collector.offer(BoardLook(None, None, v)) for v in (first, first, second, second)]
-    assert answers == [Answer.MOVING, Answer.TAKEN, Answer.MOVING, Answer.TAKEN]
+    assert answers == [
+        ExposureResult.MOVING,
+        ExposureResult.TAKEN,
+        ExposureResult.MOVING,
+        ExposureResult.TAKEN,
+    ]
     cover = coverage(collector.views, [(640, 480)])
     assert len(cover.maps) == 1 and 0 < cover.area < 1
     more = advice(cover)

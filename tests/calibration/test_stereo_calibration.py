@@ -27,9 +27,9 @@ from tracker.calibration.stereo.checks import (
     quality_problems,
     rig_problems,
 )
-from tracker.calibration.stereo.collect import Answer, Collector
+from tracker.calibration.stereo.collect import Collector, ExposureResult
 from tracker.calibration.stereo.coverage import advice, coverage, shape_of
-from tracker.calibration.stereo.files import ImportForm, load_rig, save_calibration
+from tracker.calibration.stereo.files import MissingFacts, load_rig, save_calibration
 from tracker.calibration.stereo.solve import CalibrationError, SolveParams, solve, view_errors
 from tracker.calibration.stereo.verify import verify
 from tracker.calibration.stereo.views import BoardFinder, BoardLook, StereoView
@@ -179,9 +179,10 @@ def test_views_are_taken_when_still_and_new():
         collector.offer(BoardLook(None, None, v)) for v in (first, again, again, second, second)
     ]
     assert answers == [
-        Answer.MOVING, Answer.TAKEN, Answer.KNOWN, Answer.MOVING, Answer.TAKEN,
+        ExposureResult.MOVING, ExposureResult.TAKEN, ExposureResult.KNOWN,
+        ExposureResult.MOVING, ExposureResult.TAKEN,
     ]  # fmt: skip
-    assert collector.offer(BoardLook(None, None, None, "nothing")) is Answer.ABSENT
+    assert collector.offer(BoardLook(None, None, None, "nothing")) is ExposureResult.ABSENT
     collector.remove(0)
     assert len(collector.views) == 1
 
@@ -363,7 +364,7 @@ def test_an_error_of_one_view_is_its_distance_from_truth():
 def test_a_saved_calibration_is_read_unchanged(tmp_path: Path):
     path = tmp_path / "cameras" / "mine.yml"
     save_calibration(path, RIG.left, RIG.right, RIG.R, RIG.T, "16 views")
-    rig = load_rig(path, ImportForm(width=1, height=1, unit=7.0))
+    rig = load_rig(path, MissingFacts(width=1, height=1, unit=7.0))
     assert (rig.left.width, rig.left.height) == (WIDTH, HEIGHT)
     back = extrinsics_of(rig)
     assert np.allclose(back.T, RIG.T, rtol=0, atol=1e-9)
@@ -388,9 +389,9 @@ def test_a_foreign_file_is_checked_too(tmp_path: Path, T, unit, words):
         storage.write(name, matrix)
     storage.release()
     with raises(ConfigError, words):
-        load_rig(path, ImportForm(WIDTH, HEIGHT, unit))
+        load_rig(path, MissingFacts(WIDTH, HEIGHT, unit))
     if T[0] < 0:
-        rig = load_rig(path, ImportForm(WIDTH, HEIGHT, 1e-3))
+        rig = load_rig(path, MissingFacts(WIDTH, HEIGHT, 1e-3))
         assert rig.baseline == pytest.approx(0.063, abs=1e-4)
 
 

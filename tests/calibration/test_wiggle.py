@@ -12,7 +12,7 @@ from tracker.calibration.still import StillParams, still_pose
 from tracker.calibration.wiggle import WiggleTest, imu_motion, moving, wiggle_steps
 from tracker.geometry import so3
 from tracker.simulation.imu import ROOM_C, ImuSimulator
-from tracker.simulation.motion import Motion
+from tracker.simulation.motion import SimulatedMotion
 from tracker.simulation.wiggles import InstructedWearer, Wiggle, wiggling_wearer
 
 DEGREE = np.pi / 180
@@ -20,7 +20,7 @@ SECONDS = 4.0
 
 
 def samples(hand, glove, part: str, seed: int = 3, seconds: float = SECONDS):
-    motion: Motion = Wiggle(hand, part)
+    motion: SimulatedMotion = Wiggle(hand, part)
     simulator = ImuSimulator(wiggling_wearer(hand, glove, part, seed), motion, seed)
     return list(simulator.samples(0.0, seconds)), simulator
 

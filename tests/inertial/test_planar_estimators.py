@@ -9,7 +9,13 @@ import numpy as np
 import pytest
 
 from extensions.evaluation.inertial.errors import MPU9250, draw
-from extensions.evaluation.inertial.motion import HORIZONTAL, MOVING, VERTICAL, Condition, grasp
+from extensions.evaluation.inertial.motion import (
+    HORIZONTAL,
+    MOVING,
+    VERTICAL,
+    MotionCondition,
+    grasp,
+)
 from tracker import GRAVITY
 from tracker.inertial.finger import Finger
 from tracker.inertial.gravity import Gravity
@@ -35,7 +41,11 @@ MAKERS: dict[str, Callable[[], Any]] = {
 
 
 def _readings(
-    t_m: float, series: str, condition: Condition = VERTICAL, seed: int = 0, rate: float = 100.0
+    t_m: float,
+    series: str,
+    condition: MotionCondition = VERTICAL,
+    seed: int = 0,
+    rate: float = 100.0,
 ) -> tuple[PlanarReadings, Array]:
     motion = grasp(FINGER, t_m, rate, condition)
     drawn = draw(len(motion.t), series, rate, (seed,))
@@ -181,7 +191,7 @@ def test_adaptive_beta_is_less_disturbed_by_fast_motion_and_tracks_a_swaying_han
 @pytest.mark.parametrize("condition", [VERTICAL, MOVING])
 @pytest.mark.parametrize("t_m", [0.33, 1.08, 11.6, 100.0])
 def test_learned_is_ten_times_as_accurate_as_the_papers_estimators(
-    t_m: float, condition: Condition
+    t_m: float, condition: MotionCondition
 ) -> None:
     readings, truth = _readings(t_m, "both", condition, seed=3)
     ours = _rms_deg(MAKERS["learned"](), readings, truth)

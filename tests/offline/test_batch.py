@@ -10,7 +10,7 @@ from tracker.base.errors import ConfigError, DeviceError, FileError
 from tracker.base.workers import WorkersAsked, dask_workers
 from tracker.cli import main
 from tracker.messages import Estimate
-from tracker.offline.batch import Job, plan, table, track_all
+from tracker.offline.batch import BatchJob, plan, table, track_all
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track
@@ -29,7 +29,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
-def names(jobs: list[Job], out: Path) -> list[str]:
+def names(jobs: list[BatchJob], out: Path) -> list[str]:
     return [j.out.relative_to(out).as_posix() for j in jobs]
 
 
@@ -84,7 +84,7 @@ def test_parallel_processes_give_identical_results(
 def test_nothing_is_overwritten(folder: Path, tmp_path: Path) -> None:
     precious = tmp_path / "a.mcap"
     precious.write_text("precious")
-    jobs = [Job(folder / "a.mcap", precious)]
+    jobs = [BatchJob(folder / "a.mcap", precious)]
     (outcome,) = track_all(jobs, TrackOptions(), lambda share: None, WorkersAsked(1))
     assert shows(outcome.error, "file.exists_force")
     assert shows(table(jobs, [outcome]), "file.exists_force")

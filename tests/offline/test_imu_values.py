@@ -20,7 +20,7 @@ from tracker.messages import Array, ImuSample
 from tracker.offline.imu_values import warmth_of
 from tracker.session.description import describe
 from tracker.session.writer import SessionRecorder
-from tracker.simulation.imu_errors import ImuErrors, ImuParams
+from tracker.simulation.imu_errors import DrawnImuErrors, ImuParams
 
 RATE_HZ = 20.0
 DEVICE = 11
@@ -38,8 +38,8 @@ def record(path: Path, accel: Array, gyro: Array, celsius: Array | None = None) 
     return path
 
 
-def errors() -> ImuErrors:
-    return ImuErrors(7, DEVICE, ImuParams())
+def errors() -> DrawnImuErrors:
+    return DrawnImuErrors(7, DEVICE, ImuParams())
 
 
 def warming(seed: int, start_c: float, seconds: float = 60.0) -> tuple[Array, Array, Array]:

@@ -16,7 +16,7 @@ import tomli_w
 from tests.notices import raises
 from tests.sensors.test_stereo_files import assert_triangulates
 from tracker.base.errors import ConfigError, FileError
-from tracker.calibration.stereo.files import ImportForm, load_rig
+from tracker.calibration.stereo.files import MissingFacts, load_rig
 from tracker.messages import Array
 from tracker.vision.rig import StereoRig
 
@@ -69,7 +69,7 @@ def tables(unit: float, nested: bool = False, **changed: object) -> str:
 
 def loaded(path: Path, text: str, unit: float = 1.0) -> StereoRig:
     path.write_text(text)
-    return load_rig(path, ImportForm(unit=unit))
+    return load_rig(path, MissingFacts(unit=unit))
 
 
 def assert_is_the_rig(rig: StereoRig, R: Array = R) -> None:

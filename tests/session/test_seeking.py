@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tracker.messages import Estimate, ImuSample, Message, StereoFrame
-from tracker.session.mcap.records import RecordFile
+from tracker.session.mcap.records import McapFile
 from tracker.session.reader import SessionReader
 
 KINDS = (ImuSample, StereoFrame, Estimate)
@@ -18,14 +18,14 @@ SHORT_MS, LONG_MS = 3_000, 12_000
 def count_bytes(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     """Bytes of each read of a session file."""
     read: list[int] = []
-    original = RecordFile.at
+    original = McapFile.at
 
-    def counting(self: RecordFile, offset: int, length: int) -> bytes:
+    def counting(self: McapFile, offset: int, length: int) -> bytes:
         data = original(self, offset, length)
         read.append(len(data))
         return data
 
-    monkeypatch.setattr(RecordFile, "at", counting)
+    monkeypatch.setattr(McapFile, "at", counting)
     return read
 
 

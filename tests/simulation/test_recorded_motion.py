@@ -10,7 +10,7 @@ from tests.notices import raises
 from tracker.base.errors import FileError
 from tracker.geometry import so3
 from tracker.hand.model import HandModel
-from tracker.simulation.motion import Motion
+from tracker.simulation.motion import SimulatedMotion
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.recorded.load import (
     TARGETS,
@@ -24,7 +24,9 @@ from tracker.simulation.recorded.track import PointTrack, mirrored
 G_FROM_LEAP = np.array([[0.0, 0, -1], [-1, 0, 0], [0, 1, 0]])  # x right, y up, z to the user
 
 
-def _keypoints(hand: HandModel, motion: Motion, t: np.ndarray, size: float = 1.0) -> np.ndarray:
+def _keypoints(
+    hand: HandModel, motion: SimulatedMotion, t: np.ndarray, size: float = 1.0
+) -> np.ndarray:
     """(n, 20, 3) Leap's joints of the moving hand in G, all lengths times ``size``."""
     rows = [hand.keypoint_names.index(n) for n in TARGETS]
     poses = motion.poses(t)

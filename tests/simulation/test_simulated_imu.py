@@ -10,7 +10,7 @@ from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.simulation.imu import ImuSimulator, true_imu
-from tracker.simulation.imu_errors import ImuErrors, ImuParams
+from tracker.simulation.imu_errors import DrawnImuErrors, ImuParams
 from tracker.simulation.motion import Poses, Still
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.wearer import Wearer
@@ -125,7 +125,7 @@ def test_any_window_gives_the_same_packets(hand: HandModel, glove: GloveModel) -
 
 
 def test_scale_and_cross_axis_errors_are_within_the_data_sheet() -> None:
-    errors = ImuErrors(500, 1, ImuParams())
+    errors = DrawnImuErrors(500, 1, ImuParams())
     for matrix in (errors.gyro_matrix, errors.accel_matrix):
         scale = np.diagonal(matrix, axis1=1, axis2=2) - 1
         cross = matrix[:, ~np.eye(3, dtype=bool)]

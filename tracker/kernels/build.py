@@ -40,7 +40,7 @@ DISPATCH = "_dispatch"
 FOR_DEMO = "--for-demo"
 
 
-class Entry(NamedTuple):
+class LibraryEntry(NamedTuple):
     """One function of the library."""
 
     symbol: str
@@ -79,19 +79,19 @@ def _fetch_part(part: str, table: str) -> bool:
     return True
 
 
-def _entries() -> dict[str, list[Entry]]:
+def _entries() -> dict[str, list[LibraryEntry]]:
     """The functions of each part. SystemExit if a kernel cannot be compiled for it."""
     called = exported.exported()
     errors = [_error_of(signature, name) for name in exported.kernels()]
     errors += [_error_of(check_result, name) for name in called]
     if wrong := [str(error) for error in errors if error is not None]:
         raise SystemExit("\n".join(wrong))
-    entries: dict[str, list[Entry]] = defaultdict(list)
+    entries: dict[str, list[LibraryEntry]] = defaultdict(list)
     for name in called:
         kernel, part = _kernel(name), parts.part_of(name)
         wide = kernel.options.get("wide") and parts.can_be_wide()
         for its in (entries[part], entries[part + parts.WIDE]) if wide else (entries[part],):
-            its.append(Entry(f"k{len(its)}", name, kernel))
+            its.append(LibraryEntry(f"k{len(its)}", name, kernel))
     return dict(entries)
 
 
@@ -108,7 +108,7 @@ def _error_of(check: Callable[[Any], object], name: str) -> SignatureError | Non
     return None
 
 
-def _table(part: str, entries: list[Entry]) -> str:
+def _table(part: str, entries: list[LibraryEntry]) -> str:
     features = f" for {parts.WIDE_FEATURES}" if parts.is_wide(part) else ""
     return f"{_compiled_by()}{features}\n" + "".join(entry.line() for entry in entries)
 
@@ -123,7 +123,7 @@ def _compiled_by() -> str:
     return f"# {versions} build {here.hexdigest()[:16]}"
 
 
-def _build_side_by_side(entries: dict[str, list[Entry]]) -> None:
+def _build_side_by_side(entries: dict[str, list[LibraryEntry]]) -> None:
     """One process for each part, as many at a time as there are cores, the longest first.
 
     Where processes can be forked they start with everything imported, which takes 4 s.

@@ -28,21 +28,21 @@ HEAD = ("session", "duration", "mean error", "tracked", "seconds", "")
 
 
 @dataclass(frozen=True)
-class Job:
+class BatchJob:
     """One session and the file that its tracking goes into."""
 
     source: Path
     out: Path
 
 
-def plan(sources: Sequence[Path], out: Path) -> list[Job]:
+def plan(sources: Sequence[Path], out: Path) -> list[BatchJob]:
     """One file goes to the file ``out``; several, or a folder, into the folder ``out``.
 
     Sessions with the same name get a number. Raises ConfigError if ``out`` is a file but must be a
     folder.
     """
     if len(sources) == 1 and not sources[0].is_dir() and not out.is_dir():
-        return [Job(sources[0], out)]
+        return [BatchJob(sources[0], out)]
     if out.exists() and not out.is_dir():
         raise ConfigError(notice("track.out_is_file", path=out))
     taken: set[Path] = set()
@@ -53,12 +53,12 @@ def plan(sources: Sequence[Path], out: Path) -> list[Job]:
             n += 1
             candidate = name.with_name(f"{name.stem}_{n}{name.suffix}")
         taken.add(candidate)
-        jobs.append(Job(source, out / candidate))
+        jobs.append(BatchJob(source, out / candidate))
     return jobs
 
 
 def track_all(
-    jobs: Sequence[Job],
+    jobs: Sequence[BatchJob],
     options: TrackOptions,
     progress: Callable[[float], None],
     asked: WorkersAsked = ALL_CORES,
@@ -95,7 +95,7 @@ def _track_one(
     return track(source, out, options, progress, threads=1, force=force)
 
 
-def table(jobs: Sequence[Job], outcomes: Sequence[TaskOutcome]) -> str:
+def table(jobs: Sequence[BatchJob], outcomes: Sequence[TaskOutcome]) -> str:
     """A line per session: length, error where the truth is known, share tracked, time it took."""
     rows = [HEAD, *(_row(j, o) for j, o in zip(jobs, outcomes, strict=True))]
     widths = [max(len(row[k]) for row in rows) for k in range(len(HEAD) - 1)]
@@ -107,7 +107,7 @@ def table(jobs: Sequence[Job], outcomes: Sequence[TaskOutcome]) -> str:
     return "\n".join(lines)
 
 
-def _row(job: Job, outcome: TaskOutcome) -> tuple[str, ...]:
+def _row(job: BatchJob, outcome: TaskOutcome) -> tuple[str, ...]:
     if outcome.error:
         return str(job.source), "–", "–", "–", "–", outcome.error
     r: TrackReport = outcome.value
@@ -116,7 +116,7 @@ def _row(job: Job, outcome: TaskOutcome) -> tuple[str, ...]:
     return str(job.source), f"{r.duration_s:.1f} s", error, tracked, f"{r.wall_s:.1f}", ""
 
 
-def to_json(jobs: Sequence[Job], outcomes: Sequence[TaskOutcome]) -> dict[str, Any]:
+def to_json(jobs: Sequence[BatchJob], outcomes: Sequence[TaskOutcome]) -> dict[str, Any]:
     """The same for programs."""
     rows = []
     for job, outcome in zip(jobs, outcomes, strict=True):

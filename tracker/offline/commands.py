@@ -15,7 +15,7 @@ from tracker.base.terminal import add_force, add_json, check_json, finish, progr
 from tracker.offline.options import LENSES_BY_NUMBER, USUAL, SimulateOptions, TrackOptions
 
 if TYPE_CHECKING:
-    from tracker.offline.batch import Job
+    from tracker.offline.batch import BatchJob
 
 
 def _add_simulate(parser: argparse.ArgumentParser) -> None:
@@ -159,7 +159,7 @@ def _track(args: argparse.Namespace) -> int:
     return 0
 
 
-def _track_many(args: argparse.Namespace, jobs: Sequence[Job], options: TrackOptions) -> int:
+def _track_many(args: argparse.Namespace, jobs: Sequence[BatchJob], options: TrackOptions) -> int:
     from tracker.base.workers import WorkersAsked
     from tracker.offline.batch import table, to_json, track_all
 

@@ -40,7 +40,7 @@ class LineTimeEstimate(NamedTuple):
     rms_px: float
 
 
-class _Run(NamedTuple):
+class _BlockSums(NamedTuple):
     """Sums of capped squared residuals (px²) and their numbers, by block; the time offset."""
 
     squares: Array
@@ -67,9 +67,9 @@ class LineTimeEstimator:
 
     def estimate(self, progress: Callable[[float], None] = lambda share: None) -> LineTimeEstimate:
         """Raises GlovetrackError if the recording does not show the line time."""
-        runs: dict[float, _Run] = {}
+        runs: dict[float, _BlockSums] = {}
 
-        def run(readout: float) -> _Run:
+        def run(readout: float) -> _BlockSums:
             if readout not in runs:
                 runs[readout] = self._run(readout)
                 progress(len(runs) / (len(FIRST) + 3))
@@ -94,7 +94,7 @@ class LineTimeEstimator:
         best = run(float(near[int(np.argmin(scores))]))
         return LineTimeEstimate(found / rows, sd / rows, best.offset, run(0.0).rms, best.rms)
 
-    def _run(self, readout: float) -> _Run:
+    def _run(self, readout: float) -> _BlockSums:
         pipeline = self.make(with_readout(self.rig, readout))
         squares, count = np.zeros(BLOCKS), np.zeros(BLOCKS)
         begin, end = self.messages[0].t + SETTLED, self.messages[-1].t
@@ -111,7 +111,7 @@ class LineTimeEstimator:
                     _add(result, squares, count, min(block, BLOCKS - 1))
         if count.min() < LEAST_RESIDUALS:
             raise GlovetrackError(notice("line_time.too_short"))
-        return _Run(squares, count, pipeline.timing.offset)
+        return _BlockSums(squares, count, pipeline.timing.offset)
 
 
 def _add(result: FrameResult, squares: Array, count: Array, block: int) -> None:

@@ -23,7 +23,7 @@ from tracker.session.writer import RecorderParams, new_session
 from tracker.simulation.camera_errors import CameraErrors, errors_named
 from tracker.simulation.guided import HELD_BADLY, GuidedPoses, HoldParams, with_events
 from tracker.simulation.head import MOVING, HeadParams
-from tracker.simulation.motion import Motion
+from tracker.simulation.motion import SimulatedMotion
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.rooms import SCENES, room_of
 from tracker.simulation.scenario import Message, Simulation, SimulationParams, Truth
@@ -119,7 +119,7 @@ def _head(camera: str) -> HeadParams:
     return known[camera]
 
 
-def _motion(options: SimulateOptions, info: SessionInfo) -> Motion:
+def _motion(options: SimulateOptions, info: SessionInfo) -> SimulatedMotion:
     if not options.motion:
         return RandomPostures(info.hand, options.seed, duration=options.duration)
     if options.motion.startswith(WORD):
@@ -130,7 +130,7 @@ def _motion(options: SimulateOptions, info: SessionInfo) -> Motion:
     return load_motion(Path(options.motion), info.hand)
 
 
-def _led(options: SimulateOptions, info: SessionInfo, then: Motion) -> Motion:
+def _led(options: SimulateOptions, info: SessionInfo, then: SimulatedMotion) -> SimulatedMotion:
     """``then``, after guided poses where these are asked for."""
     if not options.guided:
         return then

@@ -39,7 +39,7 @@ LONGEST = {15: 1550, 30: 1100, 60: 880, 100: 720}
 GAIN_LIMITS = Limits(0.0, float(sum(high - low for low, high in GAIN_ZONES)), 1.0, 0.0)
 
 
-class Exposure(NamedTuple):
+class ZedExposure(NamedTuple):
     """For both images: whether the camera changes it automatically, ``exposure`` in rows and
     ``gain`` in steps."""
 
@@ -86,14 +86,14 @@ class ZedRegisters:
             os.close(self._device)
             self._device = -1
 
-    def exposure(self) -> Exposure | None:
+    def exposure(self) -> ZedExposure | None:
         """The values of the left sensor; automatic if either sensor is."""
         switches = [self._system(address) for address in AUTOMATIC]
         exposure, gain = self._sensor(0, EXPOSURE), self._sensor(0, GAIN)
         if None in switches or exposure is None or gain is None:
             return None
         automatic = any((switch or 0) & AUTOMATIC_BIT for switch in switches)
-        return Exposure(automatic, exposure >> 4, _steps_of(gain))
+        return ZedExposure(automatic, exposure >> 4, _steps_of(gain))
 
     def set_automatic(self, on: bool) -> bool:
         """For both images; whether both confirm it."""
@@ -200,7 +200,7 @@ def _steps_of(register: int) -> int:
 
 def lock_exposure(
     path: str, exposure: float | None, gain: float | None, ioctl: Ioctl | None = None
-) -> tuple[Exposure, bool] | None:
+) -> tuple[ZedExposure, bool] | None:
     """Locks the given ones and leaves the other unchanged; without either, both become automatic.
 
     Returns the resulting values, and whether the camera confirms the request; None if it does

@@ -50,7 +50,7 @@ class Match:
 
 
 @dataclass(frozen=True)
-class Alignment:
+class SessionAlignment:
     """A stored alignment: ``offset_s`` from the first one's first measurement to the second one's;
     ``clocks_differ_s`` must be added to the second one's stamps."""
 
@@ -63,7 +63,7 @@ class Alignment:
     elsewhere: float | None = None
 
 
-def align(first: Path, second: Path, by: str = "movement") -> Alignment:
+def align(first: Path, second: Path, by: str = "movement") -> SessionAlignment:
     """Raises ConfigError for another method, FileError if the offset cannot be determined."""
     if by not in WAYS:
         raise ConfigError(notice("align.unknown_method", known=WAYS, method=by))
@@ -72,9 +72,9 @@ def align(first: Path, second: Path, by: str = "movement") -> Alignment:
     if by == WAYS[0]:
         if by_clock > a.t[-1] or by_clock < -b.t[-1]:
             raise FileError(notice("align.no_overlap"))
-        return Alignment(first.name, second.name, by, by_clock, 0.0)
+        return SessionAlignment(first.name, second.name, by, by_clock, 0.0)
     found = best_match(a, b)
-    return Alignment(
+    return SessionAlignment(
         first.name,
         second.name,
         by,
@@ -214,12 +214,12 @@ def alignment_path(second: Path) -> Path:
     return second.with_name(f"{second.stem}.aligned.json")
 
 
-def keep(alignment: Alignment, path: Path, force: bool = False) -> None:
+def keep(alignment: SessionAlignment, path: Path, force: bool = False) -> None:
     """Write it as JSON. Raises FileError."""
     write_whole(path, json.dumps(asdict(alignment), indent=2) + "\n", force)
 
 
-def read_alignment(path: Path) -> Alignment:
+def read_alignment(path: Path) -> SessionAlignment:
     """Reads a stored alignment. Raises FileError for another file."""
     try:
         stored = json.loads(read_text(path))
@@ -229,11 +229,11 @@ def read_alignment(path: Path) -> Alignment:
         raise FileError(notice("align.not_alignment", path=path)) from error
     if not np.isfinite(numbers).all():
         raise FileError(notice("align.not_alignment", path=path))
-    return Alignment(names[0], names[1], names[2], numbers[0], numbers[1])
+    return SessionAlignment(names[0], names[1], names[2], numbers[0], numbers[1])
 
 
 def draw(
-    path: Path, a: SpeedCourse, b: SpeedCourse, alignment: Alignment, force: bool = False
+    path: Path, a: SpeedCourse, b: SpeedCourse, alignment: SessionAlignment, force: bool = False
 ) -> None:
     """Both speeds on the first one's axis, as PNG."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg

@@ -15,7 +15,7 @@ from tracker.hand.model import HandModel
 from tracker.messages import CameraPose
 from tracker.simulation.camera_errors import WEBCAM, ZED, CameraErrors
 from tracker.simulation.desk.renderer import DeskParams
-from tracker.simulation.motion import Motion
+from tracker.simulation.motion import SimulatedMotion
 from tracker.simulation.posture_requests import PostureRequest, RequestedMotion
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.rooms import room_of
@@ -88,7 +88,7 @@ def build(spec: DemoSpec) -> Simulation:
     hand = parse_hand(spec.hand_text)
     glove = parse_glove(spec.glove_text, hand)
     if spec.motion:
-        motion: Motion = _motion_of(spec, hand, glove)
+        motion: SimulatedMotion = _motion_of(spec, hand, glove)
     else:
         own = RandomPostures(hand, spec.seed, duration=spec.duration, camera=spec.rig.pose)
         motion = RequestedMotion(own, spec.seed)
@@ -137,7 +137,7 @@ def requests_to(simulation: Simulation) -> tuple[PostureRequest, ...]:
     return simulation.motion.asked if isinstance(simulation.motion, RequestedMotion) else ()
 
 
-def _motion_of(spec: DemoSpec, hand: HandModel, glove: GloveModel) -> Motion:
+def _motion_of(spec: DemoSpec, hand: HandModel, glove: GloveModel) -> SimulatedMotion:
     """Imports on demand: these modules load all of scipy, which would delay the start of the
     demo."""
     from tracker.simulation.recorded.load import load_motion

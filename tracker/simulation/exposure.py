@@ -12,7 +12,7 @@ from tracker.simulation.camera_view import pixels_of
 from tracker.simulation.patches import SQUARE
 from tracker.simulation.raster import ball_bounds
 from tracker.simulation.sewn import ON_PLANE, SeenPatches, SewnPatches
-from tracker.simulation.solids import Instant, Solids
+from tracker.simulation.solids import SceneInstant, Solids
 from tracker.simulation.wearer import Wearer, tangents
 from tracker.vision.rig import Camera, StereoRig
 
@@ -27,7 +27,7 @@ class Scene(Protocol):
     def wearers(self) -> Sequence[Wearer]:
         """The wearers whose segments and markers an instant contains, concatenated."""
 
-    def instant(self, t: float) -> Instant:
+    def instant(self, t: float) -> SceneInstant:
         """Everything in C at the time t (s)."""
 
     def positions(self, t: Array) -> Array:
@@ -79,7 +79,7 @@ def motion_at(scene: Scene, t: float) -> HandMotion:
 
 def moments_of(
     scene: Scene, t: float, shutter: float, count: int, fewest: int = 2
-) -> list[Instant]:
+) -> list[SceneInstant]:
     """The scene at the midpoints of equal parts of the shutter (s); ``fewest`` (1 or 2) are used
     for a slow hand."""
     n = max(count, 1)
@@ -125,7 +125,7 @@ def sewn_patches(wearer: Wearer, colour_of: Callable[[str], Array]) -> tuple[Int
     )
 
 
-def seen_patches(sewn: SewnPatches, now: Instant, view: EyeView) -> SeenPatches:
+def seen_patches(sewn: SewnPatches, now: SceneInstant, view: EyeView) -> SeenPatches:
     """Patches at one instant, in C and as pixel bounds: `shade` tests only these for each pixel."""
     segment = np.repeat(np.arange(len(sewn.first) - 1), np.diff(sewn.first))
     R, p = now.R_CB[segment], now.p_CB[segment]

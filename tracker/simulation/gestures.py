@@ -47,7 +47,7 @@ GRIP: dict[str, float] = {
 }
 
 
-class Cue(NamedTuple):
+class GestureCue(NamedTuple):
     """A gesture that is held for ``hold`` s, starting ``before`` s after the previous one."""
 
     gesture: str
@@ -67,7 +67,7 @@ class Gestures:
     def __init__(
         self,
         hand: HandModel,
-        cues: Sequence[Cue],
+        cues: Sequence[GestureCue],
         seed: int,
         camera: CameraPose | None = None,
         wearer: Wearer | None = None,

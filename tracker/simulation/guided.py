@@ -20,7 +20,7 @@ from tracker.hand.model import HandModel
 from tracker.hand.names import CHAINS, FINGERS
 from tracker.hand.poses import BETWEEN, EARLY, HELD, LATE, POSES, GuidedPose
 from tracker.messages import Array, Event
-from tracker.simulation.motion import Motion, Poses, Still
+from tracker.simulation.motion import Poses, SimulatedMotion, Still
 from tracker.simulation.postures import posture
 from tracker.simulation.scenario import Message
 from tracker.simulation.smooth import SmoothNoise, minimum_jerk, rng_for
@@ -63,13 +63,13 @@ class HeldPose(NamedTuple):
 
 
 class GuidedPoses:
-    """All poses one after the other, then another motion: a `Motion`, and its ``events``.
+    """All poses one after the other, then another motion: a `SimulatedMotion`, and its ``events``.
 
     ``wearer`` is the wearer who holds the poses.
     """
 
     def __init__(
-        self, wearer: Wearer, then: Motion, seed: int, params: HoldParams | None = None
+        self, wearer: Wearer, then: SimulatedMotion, seed: int, params: HoldParams | None = None
     ) -> None:
         self._params, self._then = params or HoldParams(), then
         self._rng = rng_for(seed, "guided poses")
@@ -149,7 +149,7 @@ class HeldHand:
         return self._wearer.hand
 
     def angles(self, name: str, t: float) -> Array:
-        """(J,) rad, about the wearer's own axes, with distal joints as in a `Motion`: the wearer's
+        """(J,) rad, about the wearer's own axes, with distal joints as in a motion: the wearer's
         synergy errors are added by `Wearer.segments`. Held at about ``t`` (s)."""
         pose = POSES[name]
         if pose.touches:

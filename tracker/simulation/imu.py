@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from tracker import GRAVITY
 from tracker.base.clock import nanoseconds, seconds
 from tracker.messages import Array, ImuSample
-from tracker.simulation.imu_errors import ImuErrors, ImuParams
-from tracker.simulation.motion import Motion
+from tracker.simulation.imu_errors import DrawnImuErrors, ImuParams
+from tracker.simulation.motion import SimulatedMotion
 from tracker.simulation.smooth import SmoothNoise, rng_for
 from tracker.simulation.wearer import Wearer
 
@@ -19,7 +19,7 @@ GRAVITY_G = np.array([0.0, 0.0, -GRAVITY])
 STEP = 1e-3
 """Step of the central differences, s: an error of 3e-4 on a tremor of 10 Hz."""
 ROOM_C = 25.0
-"""Temperature at which the biases are those of `ImuErrors`, °C."""
+"""Temperature at which the biases are those of `DrawnImuErrors`, °C."""
 COLD_C, COLD_SD_C = 26.0, 1.5
 """For the first chip when the glove is switched on, °C: mean and standard deviation of sessions."""
 IMU_APART_C = 0.3
@@ -32,7 +32,7 @@ class ImuSimulator:
     def __init__(
         self,
         wearer: Wearer,
-        motion: Motion,
+        motion: SimulatedMotion,
         seed: int,
         params: ImuParams | None = None,
         device: int | None = None,
@@ -42,9 +42,9 @@ class ImuSimulator:
         self._wearer, self._motion, self._seed = wearer, motion, seed
         self.params = p = params or ImuParams()
         n = len(wearer.glove.imus)
-        self.errors = ImuErrors(n, seed if device is None else device, p)
+        self.errors = DrawnImuErrors(n, seed if device is None else device, p)
         rng = rng_for(seed, "imu errors")
-        rng.normal(0, 1, (4, n, 3))  # drawn by `ImuErrors` if both seeds are the same
+        rng.normal(0, 1, (4, n, 3))  # drawn by `DrawnImuErrors` if both seeds are the same
         self._walk = SmoothNoise(rng, (2, n, 3), p.walk_time)
         self._late = np.linspace(0, p.read_skew, n) if p.read_skew and n > 1 else None
         self._cold_c = COLD_C + float(rng_for(seed, "imu temperature").normal(0, COLD_SD_C))
@@ -113,7 +113,7 @@ class ImuSimulator:
 
 
 def true_imu(
-    wearer: Wearer, motion: Motion, t: Array, late: Array | None = None
+    wearer: Wearer, motion: SimulatedMotion, t: Array, late: Array | None = None
 ) -> tuple[Array, Array]:
     """Specific force (n, I, 3) m/s² and angular rate (n, I, 3) rad/s in each I, without errors.
 

@@ -46,7 +46,7 @@ class ImuParams:
     bunching: float = 0.0  # s, of a USB adapter: packets arrive in bursts at its multiples
 
 
-class ImuErrors:
+class DrawnImuErrors:
     """Drawn once for each glove of ``n`` IMUs.
 
     gyro_bias and accel_bias (n, 3) rad/s and m/s² at 25 °C; gyro_slope and accel_slope (n, 3) per

@@ -19,7 +19,7 @@ class Poses(NamedTuple):
     p_GB: Array
 
 
-class Motion(Protocol):
+class SimulatedMotion(Protocol):
     """A hand moving, twice continuously differentiable in time."""
 
     @property
@@ -37,7 +37,7 @@ class Motion(Protocol):
         ...
 
 
-def pose_at(motion: Motion, t: float) -> tuple[Array, Array, Array]:
+def pose_at(motion: SimulatedMotion, t: float) -> tuple[Array, Array, Array]:
     """(angles (J,), R_GB (3, 3), p_GB (3,)) at one time."""
     poses = motion.poses(np.array([t]))
     return poses.angles[0], poses.R_GB[0], poses.p_GB[0]
@@ -64,7 +64,7 @@ class Still:
 class Faster:
     """A motion played ``factor`` times as fast."""
 
-    motion: Motion
+    motion: SimulatedMotion
     factor: float
 
     @property
@@ -87,7 +87,7 @@ ALONG, DOWN = (0.8, 1.6), (0.6, 2.3)
 class Swinging:
     """A motion carried to and fro before a camera, at ``speed`` m/s where it is fastest."""
 
-    motion: Motion
+    motion: SimulatedMotion
     speed: float
     camera: CameraPose
 
@@ -115,7 +115,7 @@ class Away:
     The hand is fully away from t0 to t1 and takes ``travel`` seconds in each direction.
     """
 
-    motion: Motion
+    motion: SimulatedMotion
     spans: tuple[tuple[float, float], ...]
     shift_G: Array
     travel: float = 0.7

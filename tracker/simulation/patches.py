@@ -10,7 +10,7 @@ from tracker.geometry.solids import Vector3, nearest_to_axis, sight_cuts_box
 from tracker.kernels import kernel
 from tracker.kernels.arrays import BoolVector, IntVector, Matrix, Stack, Vector, Written
 from tracker.messages import Array
-from tracker.simulation.solids import Instant, Solids
+from tracker.simulation.solids import SceneInstant, Solids
 
 CIRCLE, SQUARE = 0, 1
 _SAMPLES = 16
@@ -51,7 +51,7 @@ class _Axes(NamedTuple):
 
 @kernel
 def view_patches(
-    eye: Vector, K: Vector, now: Instant, patches: PatchShapes, pattern: Stack
+    eye: Vector, K: Vector, now: SceneInstant, patches: PatchShapes, pattern: Stack
 ) -> tuple[Matrix, Matrix, Vector, Vector]:
     """The patches of ``now`` from ``eye`` (3,) in C with K = (fx, fy, cx, cy): uv (M, 2) px,
     centroid of the visible area, extent (M, 2) px, facing (M,) mean cosine of the visible part over

@@ -9,7 +9,7 @@ import numpy as np
 from tracker.base.notices import notice
 from tracker.geometry import so3
 from tracker.messages import Array, Event, IntArray
-from tracker.simulation.motion import Motion, Poses
+from tracker.simulation.motion import Poses, SimulatedMotion
 from tracker.simulation.smooth import SmoothNoise, minimum_jerk, rng_for
 
 MOVE = 0.8  # s for the transition from the motion to the posture, and back
@@ -64,14 +64,14 @@ def request_in(event: Event) -> PostureRequest | None:
 
 
 class RequestedMotion:
-    """``own`` except for the postures requested by `ask`; a `Motion`. Postures are held where
+    """``own`` except for the postures requested by `ask`. Postures are held where
     ``own`` begins.
 
     Before the first request it equals ``own`` exactly. Another simulation of the same wearer must
     be given the same requests.
     """
 
-    def __init__(self, own: Motion, seed: int) -> None:
+    def __init__(self, own: SimulatedMotion, seed: int) -> None:
         self._own, self.asked = own, tuple[PostureRequest, ...]()
         self.duration, self.follows_synergies = own.duration, own.follows_synergies
         first = own.poses(np.zeros(1))

@@ -9,7 +9,7 @@ import numpy as np
 from tracker.geometry import so3
 from tracker.hand.model import HandModel
 from tracker.messages import Array, CameraPose
-from tracker.simulation.motion import Away, Motion, Poses
+from tracker.simulation.motion import Away, Poses, SimulatedMotion
 from tracker.simulation.postures import posture, random_posture
 from tracker.simulation.smooth import Oscillation, SmoothNoise, minimum_jerk, rng_for
 from tracker.vision.rig import default_pose
@@ -134,7 +134,9 @@ def _in_front(camera: CameraPose) -> Array:
 
 
 def leaving(
-    motion: Motion, spans: tuple[tuple[float, float], ...], camera: CameraPose | None = None
+    motion: SimulatedMotion,
+    spans: tuple[tuple[float, float], ...],
+    camera: CameraPose | None = None,
 ) -> Away:
     """``motion`` outside both images during each (t0, t1): 0.8 m to the camera's right."""
     return Away(motion, spans, (camera or default_pose()).R_GC @ np.array([0.8, 0.0, 0.0]))

@@ -25,9 +25,9 @@ from tracker.simulation.flicker import Exposure, FlickerParams, Lamps
 from tracker.simulation.raster import Buffer, PixelRays, bounds, draw
 from tracker.simulation.row_sampling import RowBand, band_px, bands_of
 from tracker.simulation.sewn import SeenPatches
-from tracker.simulation.shading import Cloth, Light, develop, shade
+from tracker.simulation.shading import Light, SolidColours, develop, shade
 from tracker.simulation.smooth import rng_for
-from tracker.simulation.solids import Instant, Solids
+from tracker.simulation.solids import SceneInstant, Solids
 
 Image = NDArray[np.uint8]
 
@@ -133,7 +133,7 @@ class Renderer:
                 self._draw(image, moments, side, rng, band, gains)
         return out
 
-    def _exposures(self, t: float) -> list[tuple[list[Instant], RowBand | None]]:
+    def _exposures(self, t: float) -> list[tuple[list[SceneInstant], RowBand | None]]:
         """Instants of the shutter, and of a rolling one the rows that are exposed then."""
         p, rig = self.params, self.scene.rig
         how = p.shutter, min(p.exposures, len(JITTER_PX))
@@ -152,7 +152,7 @@ class Renderer:
     def _draw(
         self,
         out: Image,
-        moments: list[Instant],
+        moments: list[SceneInstant],
         side: int,
         rng: np.random.Generator,
         band: RowBand | None,
@@ -193,7 +193,7 @@ class Renderer:
     ) -> None:
         total, buffer = into
         draw(rays, pixels, solids, buffer)
-        cloth = Cloth(
+        cloth = SolidColours(
             np.concatenate([solids.owner, solids.box_owner]),
             np.concatenate([solids.colour, solids.box_colour]) * self.params.gain,
         )

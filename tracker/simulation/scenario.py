@@ -26,7 +26,7 @@ from tracker.simulation.flicker import FlickerParams
 from tracker.simulation.head import Head, HeadParams
 from tracker.simulation.imu import ImuSimulator
 from tracker.simulation.imu_errors import ImuParams
-from tracker.simulation.motion import Motion
+from tracker.simulation.motion import SimulatedMotion
 from tracker.simulation.render import Renderer, RenderParams
 from tracker.simulation.rig_errors import RigErrorParams, true_camera
 from tracker.simulation.scene import BlobParams, Extra, SimulatedScene
@@ -139,7 +139,7 @@ class Simulation:
         self,
         hand: HandModel,
         glove: GloveModel,
-        motion: Motion,
+        motion: SimulatedMotion,
         seed: int,
         params: SimulationParams | None = None,
         fps: float = 60.0,

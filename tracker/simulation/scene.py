@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from tracker.base.clock import nanoseconds
 from tracker.messages import Array, BlobFrame, Blobs, CameraPose, IntArray
 from tracker.simulation.head import Head
-from tracker.simulation.motion import Motion
+from tracker.simulation.motion import SimulatedMotion
 from tracker.simulation.patches import (
     CIRCLE,
     SQUARE,
@@ -23,7 +23,7 @@ from tracker.simulation.patches import (
 )
 from tracker.simulation.row_sampling import OwnRow, instants_for, row_delay
 from tracker.simulation.smooth import rng_for
-from tracker.simulation.solids import BodyShape, Instant, Solids, together
+from tracker.simulation.solids import BodyShape, SceneInstant, Solids, together
 from tracker.simulation.wearer import Wearer
 from tracker.vision.rig import Camera, StereoRig
 
@@ -81,7 +81,7 @@ class SimulatedScene:
     def __init__(
         self,
         wearer: Wearer,
-        motion: Motion,
+        motion: SimulatedMotion,
         rig: StereoRig,
         seed: int,
         params: BlobParams | None = None,
@@ -116,7 +116,7 @@ class SimulatedScene:
         """The pose reported by the camera; None for a static one."""
         return self.head.reported(t)
 
-    def instant(self, t: float) -> Instant:
+    def instant(self, t: float) -> SceneInstant:
         """Everything in C at the time t (s)."""
         R_GB, p_GB, _ = self.wearer.segments(self.motion, np.array([t]))
         parts = [self.shape.solids(R_GB[0], p_GB[0])]
@@ -124,7 +124,7 @@ class SimulatedScene:
         pose = self.pose(t)
         R_CG, p_CG = pose.R_GC.T, -pose.R_GC.T @ pose.p_GC
         solids = together(parts).moved(R_CG, p_CG)
-        return Instant(R_CG @ R_GB[0], p_GB[0] @ R_CG.T + p_CG, solids, self.wearer.markers(t))
+        return SceneInstant(R_CG @ R_GB[0], p_GB[0] @ R_CG.T + p_CG, solids, self.wearer.markers(t))
 
     def positions(self, t: Array) -> Array:
         """(n, S, 3) m: the origins of all segments in C at the times t (n,) s."""
@@ -132,7 +132,7 @@ class SimulatedScene:
         poses = [self.pose(at) for at in t]
         return np.stack([(p - c.p_GC) @ c.R_GC for p, c in zip(p_GB, poses, strict=True)])
 
-    def markers_seen(self, now: Instant, right: bool) -> SeenMarkers:
+    def markers_seen(self, now: SceneInstant, right: bool) -> SeenMarkers:
         """The markers in one image without noise."""
         rig = self.rig
         eye = np.array([rig.baseline if right else 0.0, 0.0, 0.0])
@@ -162,13 +162,13 @@ class SimulatedScene:
         hues = self.wearer.glove.hues
         return BlobFrame(t, arrival, hues, left, right, self.reported_pose(t), index=index)
 
-    def _look(self, now: Instant, t: float, right: bool) -> tuple[SeenMarkers, list[_Balls]]:
+    def _look(self, now: SceneInstant, t: float, right: bool) -> tuple[SeenMarkers, list[_Balls]]:
         """What one camera sees at one instant."""
         balls = [self._coloured(now, extra, t, right) for extra in self.extras]
         return self.markers_seen(now, right), balls
 
     def _look_by_rows(
-        self, now: Instant, t: float, right: bool
+        self, now: SceneInstant, t: float, right: bool
     ) -> tuple[SeenMarkers, list[_Balls]]:
         """The same with a rolling shutter: everything at the instant at which its row is
         exposed."""
@@ -216,7 +216,7 @@ class SimulatedScene:
         score = rng.uniform(0.7, 1.0, len(uv))
         return Blobs((uv + noise)[order], size[order], hue[order], score)
 
-    def _coloured(self, now: Instant, extra: Extra, t: float, right: bool) -> _Balls:
+    def _coloured(self, now: SceneInstant, extra: Extra, t: float, right: bool) -> _Balls:
         """Distractors in one image; those ``seen`` are not occluded."""
         centre, radius, names = extra.coloured(t)
         pose = self.pose(t)
@@ -233,7 +233,9 @@ class SimulatedScene:
         hue = np.array([hues.index(h) if h in hues else -1 for h in names], np.int64)
         return _Balls(uv, size, hue, seen)
 
-    def _in_sight(self, now: Instant, p_C: Array, radius: Array, right: bool) -> NDArray[np.bool_]:
+    def _in_sight(
+        self, now: SceneInstant, p_C: Array, radius: Array, right: bool
+    ) -> NDArray[np.bool_]:
         """(n,) bool: whether the balls' centres are visible past the solids."""
         eye = np.array([self.rig.baseline if right else 0.0, 0.0, 0.0])
         away = p_C - eye

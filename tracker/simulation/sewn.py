@@ -56,7 +56,7 @@ class SeenPatches(NamedTuple):
     fabric: Matrix
 
 
-class Run(NamedTuple):
+class PixelRun(NamedTuple):
     """Adjacent pixels of a row that show one solid: slope (2 n,) and jitter of their rays from
     ``eye`` (3,) in C, and depth (n,) m."""
 
@@ -97,7 +97,9 @@ class SeenPatch(NamedTuple):
 
 
 @kernel(fastmath=True, error_model="numpy", inline="always")
-def find_patches(run: Run, at: Place, patches: SeenPatches, covered: Written[Int32Vector]) -> bool:
+def find_patches(
+    run: PixelRun, at: Place, patches: SeenPatches, covered: Written[Int32Vector]
+) -> bool:
     """Whether a run of pixels has patches; ``covered`` (n,) is set to each pixel's patch, or -1."""
     found = False
     if at.segment < 0:

@@ -19,11 +19,11 @@ from tracker.kernels.arrays import (
     Written,
 )
 from tracker.simulation.raster import Buffer, PixelRays
-from tracker.simulation.sewn import Place, Run, SeenPatches, find_patches
+from tracker.simulation.sewn import PixelRun, Place, SeenPatches, find_patches
 from tracker.simulation.solids import Solids
 
 
-class Cloth(NamedTuple):
+class SolidColours(NamedTuple):
     """For all solids, capsules first: owner (n,) and colour (n, 3) BGR."""
 
     owner: IntVector
@@ -59,7 +59,7 @@ def shade(
     rays: PixelRays,
     buffer: Buffer,
     solids: Solids,
-    cloth: Cloth,
+    cloth: SolidColours,
     patches: SeenPatches,
     lamp: Light,
     ground: ByteStack,
@@ -87,7 +87,7 @@ def shade(
             if i < 0:
                 _add_ground(wall[first : first + 3 * (end - begin)], into)
                 continue
-            run = Run(
+            run = PixelRun(
                 slope[before + 2 * begin : before + 2 * end],
                 depth[row, begin:end],
                 jx,
@@ -158,7 +158,7 @@ def _lit_capsule(eye: Vector, solids: Solids, i: int, lamp: Light) -> LitCapsule
 
 
 @kernel(fastmath=True, inline="always")
-def _light_capsule(run: Run, capsule: LitCapsule, lit: Written[Float32Vector]) -> None:
+def _light_capsule(run: PixelRun, capsule: LitCapsule, lit: Written[Float32Vector]) -> None:
     """Irradiance (n,) of each pixel of a run: at the point q = w + z (x, y, 1) from the capsule's
     end, the normal is q minus its part along the axis, over the radius."""
     slope, depth, jx, jy = run.slope, run.depth, run.jx, run.jy
@@ -171,7 +171,9 @@ def _light_capsule(run: Run, capsule: LitCapsule, lit: Written[Float32Vector]) -
 
 
 @kernel(fastmath=True, inline="always")
-def _light_box(run: Run, solids: Solids, i: int, lamp: Light, lit: Written[Float32Vector]) -> None:
+def _light_box(
+    run: PixelRun, solids: Solids, i: int, lamp: Light, lit: Written[Float32Vector]
+) -> None:
     """As `_light_capsule`, for box i: a point is on the face that it is closest to."""
     R, centre, half, light, eye = solids.box_R, solids.centre, solids.half, lamp.direction, run.eye
     for k in range(len(lit)):

@@ -45,7 +45,7 @@ class Solids(NamedTuple):
         )
 
 
-class Instant(NamedTuple):
+class SceneInstant(NamedTuple):
     """A scene at one instant, in C: R_CB (S, 3, 3), p_CB (S, 3), solids; markers (M, 3) in B."""
 
     R_CB: Stack

@@ -26,13 +26,13 @@ from tracker.messages import (
     StereoFrame,
 )
 from tracker.simulation.desk.renderer import DeskParams
-from tracker.simulation.motion import Motion, Poses
+from tracker.simulation.motion import Poses, SimulatedMotion
 from tracker.simulation.random_postures import PostureParams, RandomPostures
 from tracker.simulation.render import Renderer
 from tracker.simulation.scenario import Simulation, SimulationParams, stamped
 from tracker.simulation.scene import SimulatedScene, touching
 from tracker.simulation.smooth import minimum_jerk, rng_for
-from tracker.simulation.solids import BodyShape, Instant, Solids, together
+from tracker.simulation.solids import BodyShape, SceneInstant, Solids, together
 from tracker.simulation.wearer import Wearer
 from tracker.vision.rig import StereoRig, ideal_rig
 
@@ -86,7 +86,7 @@ class Meeting:
 class OneOfTwo:
     """A motion about the centre, shifted to its position in a meeting; ``side`` is the hand's."""
 
-    motion: Motion
+    motion: SimulatedMotion
     meeting: Meeting
     side: str
     camera: CameraPose
@@ -123,7 +123,7 @@ class SidedMessage(NamedTuple):
 class OccludingHand:
     """The other hand as an object in the scene: it occludes, and adds no blobs of its own."""
 
-    def __init__(self, wearer: Wearer, motion: Motion) -> None:
+    def __init__(self, wearer: Wearer, motion: SimulatedMotion) -> None:
         self._wearer, self._motion, self._shape = wearer, motion, BodyShape.of(wearer)
 
     def solids(self, t: float, R_GB: Array, p_GB: Array) -> Solids:
@@ -144,7 +144,7 @@ class TwoHandsScene:
         self._scenes, self.rig, self.seed = (first, second), first.rig, seed
         self.wearers = (first.wearer, second.wearer)
 
-    def instant(self, t: float) -> Instant:
+    def instant(self, t: float) -> SceneInstant:
         """Everything in C at the time t (s)."""
         first, second = (scene.instant(t) for scene in self._scenes)
         owner, box_owner = (
@@ -152,7 +152,7 @@ class TwoHandsScene:
             for owner in (second.solids.owner, second.solids.box_owner)
         )
         solids = second.solids._replace(owner=owner, box_owner=box_owner)
-        return Instant(
+        return SceneInstant(
             np.concatenate([first.R_CB, second.R_CB]),
             np.concatenate([first.p_CB, second.p_CB]),
             together([first.solids, solids]),

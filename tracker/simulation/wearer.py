@@ -13,7 +13,7 @@ from tracker.hand.model import HandModel
 from tracker.messages import Array, IntArray
 from tracker.simulation.end_joints import AS_IN_FILE, FINGER, THUMB, EndJointParams, EndJoints
 from tracker.simulation.kinematics import angles_from_many, forward_many
-from tracker.simulation.motion import Motion
+from tracker.simulation.motion import SimulatedMotion
 from tracker.simulation.smooth import SmoothNoise, rng_for
 
 
@@ -166,14 +166,14 @@ class Wearer:
         lengths = np.array([self.hand.segments[row].length for row in path])
         return float(lengths @ self.scale[path, 0])
 
-    def truth(self, motion: Motion, t: Array) -> TrueHand:
+    def truth(self, motion: SimulatedMotion, t: Array) -> TrueHand:
         """Segment poses at the times t (n,) s, with angles as defined in the hand file."""
         R, p, _ = self.segments(motion, t)
         count = len(self.hand.joint_names)
         rest = np.array([s.R_rest for s in self.hand.segments])
         return TrueHand(angles_from_many(self._parent, rest, self._column, R, count), R, p)
 
-    def segments(self, motion: Motion, t: Array) -> tuple[Array, Array, Array]:
+    def segments(self, motion: SimulatedMotion, t: Array) -> tuple[Array, Array, Array]:
         """R_GB (n, S, 3, 3), p_GB (n, S, 3) and the angles (n, J) about the person's own axes."""
         t = np.asarray(t, float)
         poses = motion.poses(t)
@@ -202,7 +202,7 @@ class Wearer:
             out[ends.angle] = ends.deviation(np.array([t]), angles[None])[0]
         return out
 
-    def imus(self, motion: Motion, t: Array) -> tuple[Array, Array]:
+    def imus(self, motion: SimulatedMotion, t: Array) -> tuple[Array, Array]:
         """R_GI (n, I, 3, 3) and p_GI (n, I, 3) m of all IMUs, with the wobble of soft tissue."""
         R, p, angles = self.segments(motion, t)
         R_GB, p_GB = R[:, self.imu_segment], p[:, self.imu_segment]

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from app.platform.tasks import TaskOwner
 from app.words import error_text
 from tracker.base.errors import GlovetrackError
-from tracker.calibration.stereo.collect import Answer, Collector
+from tracker.calibration.stereo.collect import Collector, ExposureResult
 from tracker.calibration.stereo.solve import CalibrationError, SolveParams, solve
 from tracker.calibration.stereo.views import (
     BoardFinder,
@@ -34,7 +34,7 @@ class BoardSeen:
     number: int
     pair: Pair
     look: BoardLook
-    answer: Answer
+    answer: ExposureResult
 
 
 class BoardWatcher:
@@ -120,7 +120,7 @@ class BoardWatcher:
             answer = self._collector.offer(look, live)
         self._number += 1
         self._seen = BoardSeen(self._number, pair, look, answer)
-        if answer is Answer.TAKEN:
+        if answer is ExposureResult.TAKEN:
             self._judge(sizes_of(pair))
 
     def _judge(self, sizes: Sequence[Size]) -> None:

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.words import mark, tr
-from tracker.calibration.stereo.files import ImportForm
+from tracker.calibration.stereo.files import MissingFacts
 
 ZED_FOLDER = Path("/usr/local/zed/settings")
 UNITS = (("mm", 1e-3), ("m", 1.0), ("cm", 1e-2), (mark("squares of the board"), 0.0))
@@ -30,7 +30,7 @@ class ImportFormDialog(QDialog):
     def __init__(self, path: Path, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setWindowTitle(self.tr("Import {}").format(path.name))
-        default = ImportForm()
+        default = MissingFacts()
         self.width_px, self.height_px = _pixels(default.width), _pixels(default.height)
         self.unit = QComboBox()
         for name, metres in UNITS:
@@ -53,15 +53,15 @@ class ImportFormDialog(QDialog):
         form.addRow(buttons)
         self._enable()
 
-    def form(self) -> ImportForm:
+    def form(self) -> MissingFacts:
         unit = self.unit.currentData() or self.square_mm.value() / 1000
-        return ImportForm(self.width_px.value(), self.height_px.value(), unit)
+        return MissingFacts(self.width_px.value(), self.height_px.value(), unit)
 
     def _enable(self) -> None:
         self.square_mm.setEnabled(self.unit.currentData() == 0.0)
 
 
-def ask_import_form(path: Path, parent: QWidget) -> ImportForm | None:
+def ask_import_form(path: Path, parent: QWidget) -> MissingFacts | None:
     """None if the user cancels."""
     dialog = ImportFormDialog(path, parent)
     return dialog.form() if dialog.exec() == QDialog.DialogCode.Accepted else None
@@ -82,7 +82,7 @@ def ask_zed(parent: QWidget) -> tuple[Path, None] | None:
     return (Path(path), None) if path else None
 
 
-def ask_opencv(parent: QWidget) -> tuple[Path, ImportForm] | None:
+def ask_opencv(parent: QWidget) -> tuple[Path, MissingFacts] | None:
     """Ask for a file written by OpenCV's tools, and for missing information."""
     title = QCoreApplication.translate("StereoWizard", "OpenCV calibration")
     path, _ = QFileDialog.getOpenFileName(parent, title, "", "*.yml *.yaml *.xml *.json *.toml")

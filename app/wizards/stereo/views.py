@@ -40,7 +40,7 @@ from app.widgets.image_view import ImageView
 from app.widgets.measures import TIGHT, WIDE
 from app.wizards.stereo.board_watcher import BoardSeen
 from app.words import notice_text
-from tracker.calibration.stereo.collect import Answer
+from tracker.calibration.stereo.collect import ExposureResult
 from tracker.calibration.stereo.coverage import coverage
 from tracker.calibration.stereo.verify import Verification, verify
 from tracker.calibration.stereo.views import Image, StereoView, sizes_of
@@ -135,7 +135,7 @@ class CollectPage(QWidget):
         if self._shown == (seen, len(views)):
             return
         self._shown = (seen, len(views))
-        good = seen.answer in (Answer.TAKEN, Answer.KNOWN, Answer.FULL)
+        good = seen.answer in (ExposureResult.TAKEN, ExposureResult.KNOWN, ExposureResult.FULL)
         found = (seen.look.left, seen.look.right)
         self.images.show_pair(seen.pair, [corner_shapes(corners, good) for corners in found])
         cover = coverage(views, sizes_of(seen.pair))

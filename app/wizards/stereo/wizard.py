@@ -30,7 +30,7 @@ from app.words import error_text, tr
 from tracker.base.errors import GlovetrackError
 from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.stereo.coverage import coverage
-from tracker.calibration.stereo.files import ImportForm, load_rig
+from tracker.calibration.stereo.files import MissingFacts, load_rig
 from tracker.calibration.stereo.solve import Solution, SolveParams
 from tracker.calibration.stereo.views import BoardFinder, Size, StereoView, sizes_of
 from tracker.vision.rig import StereoRig
@@ -264,11 +264,11 @@ class StereoWizard(QDialog):
 
     # --- files of before
 
-    def _import(self, chosen: tuple[Path, ImportForm | None] | None) -> None:
+    def _import(self, chosen: tuple[Path, MissingFacts | None] | None) -> None:
         if chosen is not None:
             self.take_file(*chosen)
 
-    def take_file(self, path: Path, form: ImportForm | None = None) -> bool:
+    def take_file(self, path: Path, form: MissingFacts | None = None) -> bool:
         """Check a file; if it is valid, it can be used directly or tested with the board first."""
         try:
             rig = load_rig(path, form)

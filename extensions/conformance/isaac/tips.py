@@ -39,7 +39,7 @@ def tip_records(hand: OpenXrHand, stamps: Stamps) -> dict[str, bytes]:
     return out
 
 
-class _Template(NamedTuple):
+class _TipTemplate(NamedTuple):
     bytes: bytes
     pose: int
     stamps: int
@@ -54,7 +54,7 @@ def _encoded(pose: np.ndarray, valid: bool, stamps: Stamps) -> bytes:
 
 
 @cache
-def _template(valid: bool) -> _Template:
+def _template(valid: bool) -> _TipTemplate:
     b = flatbuffers.Builder(128)
     b.StartObject(2)  # core.Se3TrackerPose
     b.PrependBoolSlot(1, valid, False)
@@ -71,4 +71,4 @@ def _template(valid: bool) -> _Template:
     b.PrependStructSlot(1, stamps, 0)
     b.Finish(b.EndObject())
     whole = bytes(b.Output())
-    return _Template(whole, len(whole) - pose, len(whole) - stamps)
+    return _TipTemplate(whole, len(whole) - pose, len(whole) - stamps)

@@ -14,7 +14,7 @@ from scipy.spatial.transform import Rotation
 from extensions.conformance.isaac.record import HandRecord, Stamps, joints_of
 from extensions.conformance.isaac.writer import write_records
 from extensions.conformance.page import as_json, page
-from extensions.conformance.run import Verdict, cues, judge, read_take
+from extensions.conformance.run import TakeVerdict, cues, judge, read_take
 from extensions.conformance.take import (
     RecordTake,
     ScriptStep,
@@ -64,13 +64,13 @@ def scripted() -> dict[str, tuple[list[HandRecord], list[ScriptStep]]]:
 
 def verdict(
     scripted, change: Callable[[RecordTake], RecordTake] | None = None, side: str = "right"
-) -> Verdict:
+) -> TakeVerdict:
     records, steps = scripted[side]
     take = take_of(side, records)
     return judge("test", [change(take) if change else take], steps)
 
 
-def failed(v: Verdict) -> set[str]:
+def failed(v: TakeVerdict) -> set[str]:
     return {f.rule for f in v.findings if f.status == "fail"}
 
 

@@ -9,13 +9,13 @@ from app.platform.tasks import Job, JobProgress
 from tracker.base.files import free_path
 
 if TYPE_CHECKING:
-    from extensions.conformance.run import Verdict
+    from extensions.conformance.run import TakeVerdict
 
 
 class Judged(NamedTuple):
     """The verdict and its page as HTML."""
 
-    verdict: Verdict
+    verdict: TakeVerdict
     page: Path
 
 

@@ -9,7 +9,7 @@ from itertools import accumulate
 
 from app.viewmodels.states import BAD, GOOD, WARN, StateLook
 from app.words import mark, tr
-from extensions.conformance.finding import FAIL, PASS, Finding
+from extensions.conformance.finding import FAIL, PASS, RuleFinding
 from extensions.conformance.take import BEAT, BEATS, GRASPS, OPENS, SCRIPT
 
 OPEN = mark("Hand open, fingers straight")
@@ -202,7 +202,7 @@ class FindingRow:
     limit: str
 
 
-def finding_row(finding: Finding) -> FindingRow:
+def finding_row(finding: RuleFinding) -> FindingRow:
     """What was not seen, or is advice, is neither good nor bad."""
     look = LOOKS.get(finding.status, WARN)
     rule = tr(RULES[finding.rule]) if finding.rule in RULES else finding.rule

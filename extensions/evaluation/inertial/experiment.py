@@ -15,8 +15,8 @@ from extensions.evaluation.inertial.motion import (
     HORIZONTAL,
     MOVING,
     VERTICAL,
-    Condition,
     FingerMotion,
+    MotionCondition,
     grasp,
 )
 from tracker.inertial.finger import Finger
@@ -64,7 +64,7 @@ class ErrorRow:
 class FingerCase:
     """One duration at one rate under one kind of errors."""
 
-    condition: Condition
+    condition: MotionCondition
     series: str
     rate_hz: float
     t_m: float

@@ -23,7 +23,7 @@ GRASPED = np.deg2rad([90.0, 85.0, 85.0])
 
 
 @dataclass(frozen=True)
-class Condition:
+class MotionCondition:
     """The direction of gravity and the motion of the metacarpus.
 
     Its joint 0 sways by ``sway`` m and its angle in the plane by ``turn`` rad, at ``frequency`` Hz.
@@ -36,9 +36,9 @@ class Condition:
     frequency: float = 1.0
 
 
-VERTICAL = Condition("vertical")
-HORIZONTAL = Condition("horizontal", in_plane=0.0)
-MOVING = Condition("moving", sway=0.05, turn=np.deg2rad(30.0))
+VERTICAL = MotionCondition("vertical")
+HORIZONTAL = MotionCondition("horizontal", in_plane=0.0)
+MOVING = MotionCondition("moving", sway=0.05, turn=np.deg2rad(30.0))
 CONDITIONS = (VERTICAL, HORIZONTAL, MOVING)
 
 
@@ -57,7 +57,7 @@ class FingerMotion:
 
 
 def grasp(
-    finger: Finger, t_m: float, rate_hz: float, condition: Condition = VERTICAL
+    finger: Finger, t_m: float, rate_hz: float, condition: MotionCondition = VERTICAL
 ) -> FingerMotion:
     """Static, straight finger extended, then grasp; sampled at ``rate_hz``."""
     n = round((STATIC + t_m) * rate_hz) + 1
@@ -74,7 +74,7 @@ def grasp(
     return FingerMotion(t, theta, omega, alpha, turn[0], ideal, float(across))
 
 
-def _root(sway: Array, condition: Condition) -> ComplexArray:
+def _root(sway: Array, condition: MotionCondition) -> ComplexArray:
     """Specific force of joint 0 in P: sway along the hand, gravity against the palm (-i)."""
     return np.asarray(sway - 1j * GRAVITY * condition.in_plane, complex)
 

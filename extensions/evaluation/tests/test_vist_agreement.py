@@ -11,7 +11,7 @@ import pytest
 from extensions.evaluation.tests.test_vist_metrics import trial
 from extensions.evaluation.vist.agreement import agreement, lines_of
 from extensions.evaluation.vist.cases import Case
-from extensions.evaluation.vist.metrics import WholeHand
+from extensions.evaluation.vist.metrics import WholeHandErrors
 from extensions.evaluation.vist.trial import run_trial
 from tracker.messages import Validity
 
@@ -19,17 +19,17 @@ N = 20_000
 
 
 @pytest.fixture
-def whole() -> WholeHand:
+def whole() -> WholeHandErrors:
     """Errors drawn from the stated standard deviations; the second keypoint's is stated as half."""
     rng = np.random.default_rng(1)
     sd = rng.uniform(0.002, 0.02, (N, 2))
     error = np.linalg.norm(rng.normal(0.0, sd[..., None], (N, 2, 3)), axis=2)
     state = np.full((N, 2), int(Validity.MEASURED))
     state[: N // 4, 1] = int(Validity.INFERRED)
-    return WholeHand(("tip", "base"), error, sd * [1.0, 0.5], state)
+    return WholeHandErrors(("tip", "base"), error, sd * [1.0, 0.5], state)
 
 
-def test_normal_errors_agree_with_their_standard_deviation(whole: WholeHand) -> None:
+def test_normal_errors_agree_with_their_standard_deviation(whole: WholeHandErrors) -> None:
     """Share of Maxwell's distribution within three, and half the deviation: within 1.5, NEES 4."""
     rows = {(a.keypoint, a.state): a for a in agreement([replace(trial([[1.0]]), whole=whole)])}
     tip, base = rows["tip", "all"], rows["base", "all"]
@@ -41,7 +41,7 @@ def test_normal_errors_agree_with_their_standard_deviation(whole: WholeHand) -> 
     assert rows["hand", "all"].nees == pytest.approx((tip.nees + base.nees) / 2)
 
 
-def test_lost_points_do_not_count(whole: WholeHand) -> None:
+def test_lost_points_do_not_count(whole: WholeHandErrors) -> None:
     whole.error[N // 2 :, 0] = np.nan
     (tip, *_) = agreement([replace(trial([[1.0]]), whole=whole)])
     assert tip.share == 0.5

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from extensions.evaluation.vist.cases import Case
-from extensions.evaluation.vist.metrics import Trial, WholeHand
+from extensions.evaluation.vist.metrics import Trial, WholeHandErrors
 from extensions.evaluation.vist.run import run_cases
 from extensions.evaluation.vist.stored import PROGRAM, StoredTrials
 from tests.notices import raises
@@ -38,9 +38,9 @@ class Participants:
         )  # fmt: skip
 
 
-def whole(rng: np.random.Generator) -> WholeHand:
+def whole(rng: np.random.Generator) -> WholeHandErrors:
     error, sd = rng.random((2, 7, 5))
-    return WholeHand(tuple("abcde"), error, sd, rng.integers(0, 3, (7, 5)))
+    return WholeHandErrors(tuple("abcde"), error, sd, rng.integers(0, 3, (7, 5)))
 
 
 def run(
@@ -65,11 +65,11 @@ def test_a_run_that_was_ended_goes_on_where_it_stood(
             assert_same_fields(trial, expected)
 
 
-def assert_same_fields(a: Trial | WholeHand, b: Trial | WholeHand) -> None:
+def assert_same_fields(a: Trial | WholeHandErrors, b: Trial | WholeHandErrors) -> None:
     for field in fields(a):
         x, y = getattr(a, field.name), getattr(b, field.name)
         assert type(x) is type(y)
-        if isinstance(x, WholeHand):
+        if isinstance(x, WholeHandErrors):
             assert_same_fields(x, y)
         else:
             np.testing.assert_array_equal(x, y)

@@ -18,7 +18,7 @@ from tracker.messages import Array, Validity
 
 
 @dataclass(frozen=True)
-class Agreement:
+class KeypointAgreement:
     """For one keypoint in one state, "all" for both: share of the instants of the trials in it,
     mean error and median sd (mm), NEES per coordinate, and share within 3 sd."""
 
@@ -38,7 +38,7 @@ STATES = {
 }
 
 
-def agreement(trials: Sequence[Trial]) -> list[Agreement]:
+def agreement(trials: Sequence[Trial]) -> list[KeypointAgreement]:
     """For each keypoint and state that occurs, "hand" for all keypoints together last. Empty if the
     trials do not contain the whole hand."""
     whole = [t.whole for t in trials if t.whole is not None]
@@ -49,7 +49,7 @@ def agreement(trials: Sequence[Trial]) -> list[Agreement]:
     sd = np.concatenate([w.sd for w in whole])
     state = np.concatenate([w.state for w in whole])
     columns = [(name, [k]) for k, name in enumerate(names)] + [("hand", list(range(len(names))))]
-    out: list[Agreement] = []
+    out: list[KeypointAgreement] = []
     for name, k in columns:
         for label, states in STATES.items():
             chosen = np.isin(state[:, k], [int(s) for s in states]) & np.isfinite(error[:, k])
@@ -60,9 +60,9 @@ def agreement(trials: Sequence[Trial]) -> list[Agreement]:
 
 def _agreement(
     name: str, label: str, chosen: NDArray[np.bool_], error: Array, sd: Array
-) -> Agreement:
+) -> KeypointAgreement:
     e, s = error[chosen], sd[chosen]
-    return Agreement(
+    return KeypointAgreement(
         keypoint=name,
         state=label,
         share=float(chosen.mean()),

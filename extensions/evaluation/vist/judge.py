@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from extensions.evaluation.vist.cases import SETTLING, judged_in_outage
-from extensions.evaluation.vist.metrics import DIGITS, Trial, WholeHand
+from extensions.evaluation.vist.metrics import DIGITS, Trial, WholeHandErrors
 from tracker.engine.pipeline import Pipeline
 from tracker.hand.names import MARKED_KEYPOINTS
 from tracker.messages import Array, CameraPose, Estimate, Tracking
@@ -79,12 +79,12 @@ class Judge:
             whole=self._whole(estimates, truths) if self.place == "world" else None,
         )
 
-    def _whole(self, estimates: list[Estimate], truths: list[Truth]) -> WholeHand:
+    def _whole(self, estimates: list[Estimate], truths: list[Truth]) -> WholeHandErrors:
         names = self.pipeline.keypoint_names
         shape = (len(estimates), len(names))
         given = np.array([e.keypoints for e in estimates]).reshape(*shape, 3)
         true = np.array([x.keypoints for x in truths]).reshape(*shape, 3)
-        return WholeHand(
+        return WholeHandErrors(
             tuple(names),
             np.linalg.norm(given - true, axis=2),
             np.array([e.keypoint_sd for e in estimates]).reshape(shape),

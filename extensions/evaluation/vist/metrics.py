@@ -32,7 +32,7 @@ PCK_BOUNDS_MM = np.arange(0.0, 51.0)
 
 
 @dataclass(frozen=True, eq=False)
-class WholeHand:
+class WholeHandErrors:
     """All K keypoints of a trial by ``names``: error (n, K) m, NaN where lost, sd (n, K) m per
     coordinate, and state (n, K), a `Validity`."""
 
@@ -65,7 +65,7 @@ class Trial:
     core_s: float
     duration: float
     angles: Array = field(default_factory=lambda: np.zeros((0, 0)))
-    whole: WholeHand | None = None
+    whole: WholeHandErrors | None = None
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from tracker.messages import Array
 from tracker.simulation.extras import OBJECTS, Distractors, FingertipDevices, HeldObject
 from tracker.simulation.guided import HELD_BADLY, GuidedPoses, HoldParams
 from tracker.simulation.head import MOVING, HeadParams
-from tracker.simulation.motion import Faster, Motion
+from tracker.simulation.motion import Faster, SimulatedMotion
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.recorded.load import load_motion
 from tracker.simulation.rooms import room_of
@@ -47,11 +47,13 @@ class InTurn:
         return self._now(t).coloured(t)
 
 
-def motion_of(case: Case, hand: HandModel, seed: int, variant: Ablation | None) -> Motion:
+def motion_of(case: Case, hand: HandModel, seed: int, variant: Ablation | None) -> SimulatedMotion:
     """Random postures, or a recording if the case names some (participants take turns)."""
     speed = 1.0 if variant is None else variant.speed
     if case.motion_files:
-        motion: Motion = load_motion(Path(case.motion_files[seed % len(case.motion_files)]), hand)
+        motion: SimulatedMotion = load_motion(
+            Path(case.motion_files[seed % len(case.motion_files)]), hand
+        )
     else:
         duration = 60.0 * case.minutes * speed  # so that a faster trial has the same duration
         motion = RandomPostures(hand, seed=seed, period=POSTURE_EVERY, duration=duration)
@@ -59,7 +61,7 @@ def motion_of(case: Case, hand: HandModel, seed: int, variant: Ablation | None) 
 
 
 def guided_motion(
-    case: Case, hand: HandModel, glove: GloveModel, then: Motion, seed: int
+    case: Case, hand: HandModel, glove: GloveModel, then: SimulatedMotion, seed: int
 ) -> GuidedPoses:
     """Guided poses before ``then``, by the person that `simulation_of` draws from ``seed``."""
     params = HELD_BADLY if case.guided == "badly" else HoldParams()
@@ -71,7 +73,7 @@ def simulation_of(
     case: Case,
     hand: HandModel,
     glove: GloveModel,
-    motion: Motion,
+    motion: SimulatedMotion,
     seed: int,
     variant: Ablation | None,
     person: int | None = None,

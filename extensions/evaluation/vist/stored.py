@@ -20,7 +20,7 @@ import numpy as np
 import resources
 import tracker
 from extensions.evaluation.vist.cases import Case
-from extensions.evaluation.vist.metrics import Trial, WholeHand
+from extensions.evaluation.vist.metrics import Trial, WholeHandErrors
 from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import sha256, slug, write_with_folder
 from tracker.base.notices import notice
@@ -49,11 +49,11 @@ class StoredTrials:
         try:
             with np.load(path, allow_pickle=False) as file:
                 values = {f.name: file[f.name] for f in fields(Trial) if f.name != WHOLE}
-                parts = {f.name: file[f"{WHOLE}_{f.name}"] for f in fields(WholeHand)}
+                parts = {f.name: file[f"{WHOLE}_{f.name}"] for f in fields(WholeHandErrors)}
         except (OSError, ValueError, KeyError, zipfile.BadZipFile) as error:
             raise FileError(notice("vist.damaged_trial", path=path)) from error
         names = tuple(map(str, parts.pop("names")))
-        whole = WholeHand(names, **parts) if names else None
+        whole = WholeHandErrors(names, **parts) if names else None
         return Trial(**{name: v if v.ndim else v.item() for name, v in values.items()}, whole=whole)
 
     def add(self, case: Case, trial: Trial) -> None:
@@ -63,9 +63,9 @@ class StoredTrials:
             f.name: np.asarray(getattr(trial, f.name)) for f in fields(Trial) if f.name != WHOLE
         }
         none = np.zeros((0, 0))
-        whole = trial.whole or WholeHand((), none, none, none.astype(np.int64))
+        whole = trial.whole or WholeHandErrors((), none, none, none.astype(np.int64))
         values |= {
-            f"{WHOLE}_{f.name}": np.asarray(getattr(whole, f.name)) for f in fields(WholeHand)
+            f"{WHOLE}_{f.name}": np.asarray(getattr(whole, f.name)) for f in fields(WholeHandErrors)
         }
         np.savez_compressed(data, allow_pickle=False, **{CASE: np.array(_text(case)), **values})
         if not (self._folder / PROGRAM).is_file():

@@ -128,7 +128,7 @@ def _track(
 ) -> TrialRecord:
     record = TrialRecord()
     check = MatchCheck(simulation)
-    search, images = ImageSearch(simulation), case.level == "images"
+    search, images = TrialImageSearch(simulation), case.level == "images"
     sensed = simulation.messages(images) if case.has_camera else simulation.imu_samples()
     feed = with_events(sensed, events)
     for message in feed if variant is None else variant.feed(feed):
@@ -159,7 +159,7 @@ def _track(
     return record
 
 
-class ImageSearch:
+class TrialImageSearch:
     """Images to blobs as the live tracker does it: around what was expected, some as a whole."""
 
     def __init__(self, simulation: Simulation) -> None:

@@ -20,7 +20,7 @@ from scipy.spatial.transform import Rotation
 from extensions.openxr.build import build, compile_library
 from extensions.openxr.library import LIBRARY_NAME, manifest
 from extensions.openxr.memory import ELSEWHERE
-from extensions.openxr.publisher import Placement
+from extensions.openxr.publisher import WorldPlacement
 from tracker.base.errors import ConfigError
 from tracker.messages import Array
 
@@ -186,7 +186,7 @@ def runtime_origin(space: str, t: float) -> tuple[Rotation, Array]:
     return Rotation.from_rotvec([0, 0.4 * s, 0]), np.array([0.1 + 0.2 * s, 0.05, 0.02])
 
 
-def world_in(space: str, placement: Placement, t: float) -> tuple[Rotation, Array]:
+def world_in(space: str, placement: WorldPlacement, t: float) -> tuple[Rotation, Array]:
     """Glovetrack's axes and origin (m) in a reference space at ``t`` s."""
     R_in, p_in = runtime_origin(placement.space.name.lower(), t)
     R_L = R_in * Rotation.from_euler("y", placement.yaw_deg, degrees=True)

@@ -20,7 +20,7 @@ from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
 from extensions.openxr.layout import Space
-from extensions.openxr.publisher import OpenXrPublisher, Placement
+from extensions.openxr.publisher import OpenXrPublisher, WorldPlacement
 from extensions.openxr.readers import read_link
 from extensions.openxr.tests.scene import (
     HANDS,
@@ -41,7 +41,7 @@ from tracker.streaming.publisher import Names
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the test runtime is Linux's")
 
-PLACED = Placement(Space.LOCAL, (0.1, -0.4, -0.3), 25.0, 0.05)
+PLACED = WorldPlacement(Space.LOCAL, (0.1, -0.4, -0.3), 25.0, 0.05)
 STEP = 10_000_000  # ns between estimates
 WRIST, TIP = JOINTS.index("wrist"), JOINTS.index("index_tip")
 LIMIT = 1e-4  # m and, in degrees, 0.1
@@ -66,7 +66,7 @@ def program(scene: Scene) -> Iterator[Callable[..., Program]]:
     """Starts a program that sends one hand or both."""
     started: list[Program] = []
 
-    def start(*sides: str, placement: Placement = PLACED) -> Program:
+    def start(*sides: str, placement: WorldPlacement = PLACED) -> Program:
         started.append(Program(scene.memory, sides or ("right",), placement))
         return started[-1]
 
@@ -78,7 +78,7 @@ def program(scene: Scene) -> Iterator[Callable[..., Program]]:
 class Program:
     """The stream of a program whose hands move as formulas say: ``t`` is the monotonic clock's."""
 
-    def __init__(self, memory: Path, sides: tuple[str, ...], placement: Placement) -> None:
+    def __init__(self, memory: Path, sides: tuple[str, ...], placement: WorldPlacement) -> None:
         self.names = {side: names_of(side) for side in sides}
         first, *others = self.names.values()
         publisher = OpenXrPublisher(first, placement, str(memory))
@@ -136,7 +136,7 @@ def names_of(side: str) -> Names:
 
 
 def in_space(
-    hand: OpenXrHand, space: str, t: int, placement: Placement = PLACED
+    hand: OpenXrHand, space: str, t: int, placement: WorldPlacement = PLACED
 ) -> tuple[Array, Rotation]:
     """Positions (26, 3) m and orientations of a hand in one of the runtime's spaces."""
     R, p = world_in(space, placement, 1e-9 * t)
@@ -257,13 +257,13 @@ def test_an_inferred_joint_is_valid_and_not_tracked(scene: Scene, program) -> No
 
 
 def test_a_stage_that_the_runtime_does_not_have_is_replaced_by_local(scene: Scene, program) -> None:
-    placed = Placement(Space.STAGE, (0.0, 0.9, -0.2), 0.0, 0.05)
+    placed = WorldPlacement(Space.STAGE, (0.0, 0.9, -0.2), 0.0, 0.05)
     sent, stages = program(placement=placed), scene.application()
     stages.start(TIME)
     t = sent.send_lately()
     assert_equal(stages.locate(time=t), in_space(sent.joints(t), "local", t, placed))
     stages.ask("close")
-    local = Placement(Space.LOCAL, placed.position, 0.0, 0.05)
+    local = WorldPlacement(Space.LOCAL, placed.position, 0.0, 0.05)
     without = scene.application(runtime="no-stage")
     without.start(TIME)
     t = sent.send_lately()

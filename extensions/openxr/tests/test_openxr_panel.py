@@ -15,9 +15,9 @@ from app.window.main_window import MainWindow
 from extensions.openxr.layout import HEADER, READER, READERS_AT, Space
 from extensions.openxr.library import LIBRARY_NAME
 from extensions.openxr.memory import ELSEWHERE
-from extensions.openxr.publisher import Placement
+from extensions.openxr.publisher import WorldPlacement
 from extensions.openxr.readers import Link, Reader, read_link
-from extensions.openxr.registration import Registered, Registration
+from extensions.openxr.registration import LayerRegistration, Registered
 from extensions.openxr.tests.scene import world_in
 from extensions.openxr.window.panel import OpenXrPanel
 from extensions.openxr.window.view_model import stream_text, test_result
@@ -40,19 +40,19 @@ def memory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 @pytest.fixture
-def registration(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Registration:
+def registration(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> LayerRegistration:
     """For a user with a folder of this test's own."""
     library = tmp_path / "installed" / LIBRARY_NAME
     library.parent.mkdir()
     library.write_bytes(b"a library")
-    made = Registration(library, tmp_path / "data", tmp_path / "layers" / "layer.json")
+    made = LayerRegistration(library, tmp_path / "data", tmp_path / "layers" / "layer.json")
     monkeypatch.setattr("extensions.openxr.window.panel.user_registration", lambda: made)
     return made
 
 
 @pytest.fixture
 def panel(
-    memory: Path, registration: Registration, window: MainWindow, qtbot
+    memory: Path, registration: LayerRegistration, window: MainWindow, qtbot
 ) -> Iterator[OpenXrPanel]:
     made = OpenXrPanel(window.host, window.outputs, lambda: registration)
     qtbot.addWidget(made)
@@ -149,7 +149,7 @@ def test_a_button_places_the_hand_in_front_of_the_headset(
     assert estimate is not None
     panel.in_front.click()
     wrist = estimate.keypoints[setup.hand.keypoint_names.index("wrist")]
-    there = Placement(Space.LOCAL, tuple(panel.numbers[n].value() for n in "xyz"), 90.0, 0.05)
+    there = WorldPlacement(Space.LOCAL, tuple(panel.numbers[n].value() for n in "xyz"), 90.0, 0.05)
     R, p = world_in("local", there, 0.0)
     found = R.apply([-wrist[1], wrist[2], -wrist[0]]) + p
     assert found.tolist() == pytest.approx([0.0, -0.3, -0.4], abs=0.01)

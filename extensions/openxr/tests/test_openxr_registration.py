@@ -12,11 +12,11 @@ import pytest
 from extensions.openxr.layout import READER, READERS_AT, Space
 from extensions.openxr.library import DISABLE, LAYER
 from extensions.openxr.memory import ELSEWHERE
-from extensions.openxr.publisher import OpenXrPublisher, Placement
+from extensions.openxr.publisher import OpenXrPublisher, WorldPlacement
 from extensions.openxr.registration import (
     ENABLED,
+    LayerRegistration,
     Registered,
-    Registration,
     WindowsRegistry,
     implicit_layers,
     user_registration,
@@ -45,15 +45,15 @@ class FakeRegistry:
 
 
 @pytest.fixture
-def registration(tmp_path: Path) -> Registration:
+def registration(tmp_path: Path) -> LayerRegistration:
     library = tmp_path / "installed" / "liblayer.so"
     library.parent.mkdir()
     library.write_bytes(b"one")
     layers = implicit_layers({"XDG_DATA_HOME": str(tmp_path / "data")})
-    return Registration(library, tmp_path / "data" / "glovetrack", layers / "layer.json")
+    return LayerRegistration(library, tmp_path / "data" / "glovetrack", layers / "layer.json")
 
 
-def test_the_manifest_names_a_copy_of_the_library(registration: Registration) -> None:
+def test_the_manifest_names_a_copy_of_the_library(registration: LayerRegistration) -> None:
     assert registration.state() == Registered.NO
     registration.register()
     assert registration.state() == Registered.YES
@@ -67,7 +67,7 @@ def test_the_manifest_names_a_copy_of_the_library(registration: Registration) ->
     assert registration.state() == Registered.NO and not registration.copy.exists()
 
 
-def test_another_version_and_a_missing_library_are_noticed(registration: Registration) -> None:
+def test_another_version_and_a_missing_library_are_noticed(registration: LayerRegistration) -> None:
     registration.register()
     registration.library.write_bytes(b"two")
     assert registration.state() == Registered.OLD
@@ -80,24 +80,24 @@ def test_another_version_and_a_missing_library_are_noticed(registration: Registr
     assert registration.state() == Registered.BROKEN
 
 
-def test_an_installation_without_the_layer_says_so(registration: Registration) -> None:
+def test_an_installation_without_the_layer_says_so(registration: LayerRegistration) -> None:
     registration.library.unlink()
     with raises(FileError, "openxr.no_layer"):
         registration.register()
     assert registration.state() == Registered.NO
 
 
-def test_a_folder_that_cannot_be_written_is_an_error(registration: Registration) -> None:
+def test_a_folder_that_cannot_be_written_is_an_error(registration: LayerRegistration) -> None:
     registration.manifest.parent.parent.mkdir(parents=True)
     registration.manifest.parent.write_text("a file")
     with raises(FileError, "openxr.not_registered"):
         registration.register()
 
 
-def test_windows_names_the_manifest_in_its_registry(registration: Registration) -> None:
+def test_windows_names_the_manifest_in_its_registry(registration: LayerRegistration) -> None:
     """Others' values stay."""
     registry = FakeRegistry()
-    windows = Registration(
+    windows = LayerRegistration(
         registration.library, registration.folder, registration.folder / "layer.json", registry
     )
     windows.register()
@@ -147,7 +147,7 @@ def test_the_status_lists_what_is_sent_and_who_reads(
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path))
     memory = tmp_path / "memory"
     monkeypatch.setenv(ELSEWHERE, str(memory))
-    placed = Placement(Space.LOCAL, (0.0, 0.0, 0.0), 0.0, 0.05)
+    placed = WorldPlacement(Space.LOCAL, (0.0, 0.0, 0.0), 0.0, 0.05)
     publisher = OpenXrPublisher(names.with_openxr(), placed)
     assert "estimates: none" in run(capsys, "status")[1]
     publisher.send(make_estimate())

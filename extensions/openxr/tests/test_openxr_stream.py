@@ -31,7 +31,7 @@ from extensions.openxr.layout import (
     Velocity,
 )
 from extensions.openxr.memory import ELSEWHERE
-from extensions.openxr.publisher import REPLAYED_NS, OpenXrPublisher, Placement
+from extensions.openxr.publisher import REPLAYED_NS, OpenXrPublisher, WorldPlacement
 from extensions.openxr.readers import read_link
 from tests.fixtures import RESOURCES
 from tests.notices import raises
@@ -43,7 +43,7 @@ from tracker.messages import Estimate, Motion, Tracking, Validity
 from tracker.streaming.publisher import Names, StreamError
 from tracker.streaming.registry import StreamSettings, open_stream, open_streams
 
-PLACED = Placement(Space.STAGE, (0.1, 0.8, -0.3), 90.0, 0.04)
+PLACED = WorldPlacement(Space.STAGE, (0.1, 0.8, -0.3), 90.0, 0.04)
 ROOT = Path(__file__).parents[3]
 
 

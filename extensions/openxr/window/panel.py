@@ -27,7 +27,7 @@ from app.panels.panel import Panel
 from app.widgets.measures import NEAR
 from extensions.openxr.extension import STREAM
 from extensions.openxr.readers import read_link
-from extensions.openxr.registration import Registered, Registration, user_registration
+from extensions.openxr.registration import LayerRegistration, Registered, user_registration
 from extensions.openxr.window.view_model import (
     StateText,
     layer_text,
@@ -50,7 +50,7 @@ class OpenXrPanel(Panel):
         self,
         host: EngineHost,
         outputs: Outputs,
-        registration: Callable[[], Registration] = user_registration,
+        registration: Callable[[], LayerRegistration] = user_registration,
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(host, parent)
@@ -81,9 +81,9 @@ class OpenXrPanel(Panel):
         self.register.setToolTip(
             self.tr("Adds hand tracking to every OpenXR application of this user")
         )
-        self.register.clicked.connect(lambda: self._change(Registration.register))
+        self.register.clicked.connect(lambda: self._change(LayerRegistration.register))
         self.unregister = QPushButton(self.tr("Unregister"))
-        self.unregister.clicked.connect(lambda: self._change(Registration.unregister))
+        self.unregister.clicked.connect(lambda: self._change(LayerRegistration.unregister))
         row = QHBoxLayout()
         row.addWidget(self.register)
         row.addWidget(self.unregister)
@@ -137,7 +137,7 @@ class OpenXrPanel(Panel):
 
     # --- what it does
 
-    def _change(self, do: Callable[[Registration], None]) -> None:
+    def _change(self, do: Callable[[LayerRegistration], None]) -> None:
         """Register or unregister."""
         try:
             do(self._registration())

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from extensions.reference.recording import Pulse, Recording, metres
+from extensions.reference.recording import ReferencePulse, ReferenceRecording, metres
 from tracker.base.errors import FileError
 from tracker.base.notices import notice
 
@@ -16,7 +16,7 @@ _BLOCK = 512  # bytes: the unit of positions in a C3D file
 _MANY = 65535  # frames: beyond them the header does not contain the number
 
 
-def read_c3d(path: Path, pulse: str = "") -> Recording:
+def read_c3d(path: Path, pulse: str = "") -> ReferenceRecording:
     """``pulse`` names an analogue channel whose rising edges are events too.
 
     Times count from frame 1, as those of the file's events do. Raises FileError.
@@ -37,7 +37,7 @@ def read_c3d(path: Path, pulse: str = "") -> Recording:
     residual = np.asarray(file["data"]["meta_points"]["residuals"])[0].T
     points = np.where((residual < 0)[:, :, None], np.nan, points)
     unit = (_texts(parameters, "POINT", "UNITS") or ["mm"])[0] or "mm"
-    return Recording(
+    return ReferenceRecording(
         "C3D",
         tuple(_labels(parameters, "POINT"))[: points.shape[1]],
         (first + np.arange(len(points))) / rate,
@@ -88,7 +88,7 @@ def _labels(parameters: Any, group: str) -> list[str]:
     return out
 
 
-def _events(parameters: Any) -> list[Pulse]:
+def _events(parameters: Any) -> list[ReferencePulse]:
     if "EVENT" not in parameters or "TIMES" not in parameters["EVENT"]:
         return []
     times = np.atleast_2d(np.asarray(parameters["EVENT"]["TIMES"]["value"], float))
@@ -96,17 +96,17 @@ def _events(parameters: Any) -> list[Pulse]:
         return []
     names = _texts(parameters, "EVENT", "LABELS")
     seconds = 60.0 * times[0] + times[1]
-    return [Pulse(float(t), n) for t, n in zip(seconds, names, strict=False)]
+    return [ReferencePulse(float(t), n) for t, n in zip(seconds, names, strict=False)]
 
 
-def _edges(file: Any, channel: str, start: float) -> list[Pulse]:
+def _edges(file: Any, channel: str, start: float) -> list[ReferencePulse]:
     """Instants at which an analogue channel rises through the middle of its range."""
     names = _labels(file["parameters"], "ANALOG")
     rate = float(file["header"]["analogs"]["frame_rate"])
     if not channel or channel not in names or not rate > 0:
         return []
     x = np.asarray(file["data"]["analogs"])[0, names.index(channel)]
-    return [Pulse(start + t, channel) for t in rising_edges(x, rate)]
+    return [ReferencePulse(start + t, channel) for t in rising_edges(x, rate)]
 
 
 def rising_edges(x: np.ndarray, rate: float) -> list[float]:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from extensions.reference.recording import Recording, metres, number, numbers, triples
+from extensions.reference.recording import ReferenceRecording, metres, number, numbers, triples
 from tracker.base.errors import FileError
 from tracker.base.notices import notice
 
@@ -17,7 +17,7 @@ _TIME = "%Y-%m-%d %I.%M.%S.%f %p"
 Columns = dict[str, int]
 
 
-def read_optitrack(path: Path, lines: list[str]) -> Recording:
+def read_optitrack(path: Path, lines: list[str]) -> ReferenceRecording:
     """``lines`` of the file. Of a marker, a bone and a rigid body of one name, the first is used.
 
     Raises FileError.
@@ -38,7 +38,9 @@ def read_optitrack(path: Path, lines: list[str]) -> Recording:
     points = triples(table, list(columns.values()))
     points *= metres(header.get("Length Units", "Meters"), path)
     start = _start(header.get("Capture Start Time", ""))
-    return Recording("OptiTrack CSV", tuple(columns), table[:, 1], points, start).checked(path)
+    return ReferenceRecording("OptiTrack CSV", tuple(columns), table[:, 1], points, start).checked(
+        path
+    )
 
 
 def _columns(above: list[list[str]], axes: list[str]) -> Columns:

@@ -7,14 +7,20 @@ from pathlib import Path
 
 import numpy as np
 
-from extensions.reference.recording import Pulse, Recording, number, numbers, triples
+from extensions.reference.recording import (
+    ReferencePulse,
+    ReferenceRecording,
+    number,
+    numbers,
+    triples,
+)
 from tracker.base.errors import FileError
 from tracker.base.notices import notice
 
 _TIME = "%Y-%m-%d, %H:%M:%S.%f"
 
 
-def read_qualisys(path: Path, lines: list[str]) -> Recording:
+def read_qualisys(path: Path, lines: list[str]) -> ReferenceRecording:
     """Millimetres; a point at exactly (0, 0, 0) is missing, as Qualisys writes it.
 
     Raises FileError.
@@ -41,9 +47,9 @@ def read_qualisys(path: Path, lines: list[str]) -> Recording:
     points = triples(table, range(ahead, ahead + 3 * len(names), 3)) * 1e-3
     points = np.where((points == 0).all(axis=2, keepdims=True), np.nan, points)
     t = table[:, 1] if ahead else np.arange(len(table)) / rate
-    pulses = tuple(Pulse(number(e[2]), e[0]) for e in events if len(e) > 2)
+    pulses = tuple(ReferencePulse(number(e[2]), e[0]) for e in events if len(e) > 2)
     start = _start(header.get("TIME_STAMP", []))
-    return Recording("Qualisys TSV", names, t, points, start, pulses).checked(path)
+    return ReferenceRecording("Qualisys TSV", names, t, points, start, pulses).checked(path)
 
 
 def _start(cells: list[str]) -> datetime | None:

@@ -12,7 +12,7 @@ from extensions.reference.formats.table import read_table
 from extensions.reference.formats.trc import read_trc
 from extensions.reference.formats.vicon import read_vicon
 from extensions.reference.mapping import PointMapping
-from extensions.reference.recording import UNITS, Recording
+from extensions.reference.recording import UNITS, ReferenceRecording
 from tracker.base.errors import FileError
 from tracker.base.files import read_bounded
 from tracker.base.notices import notice
@@ -21,7 +21,9 @@ MOST_BYTES = 2_000_000_000
 _MILLIMETRE = UNITS["mm"]
 
 
-def read_reference(path: Path, mapping: PointMapping | None = None, pulse: str = "") -> Recording:
+def read_reference(
+    path: Path, mapping: PointMapping | None = None, pulse: str = ""
+) -> ReferenceRecording:
     """Raises FileError if the file is unreadable, empty or of an unknown format.
 
     ``pulse`` names an analogue channel of C3D files whose rising edges are events.

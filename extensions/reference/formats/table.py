@@ -9,12 +9,14 @@ import numpy as np
 
 from extensions.reference.formats.c3d import rising_edges
 from extensions.reference.mapping import TableColumns
-from extensions.reference.recording import Pulse, Recording, number
+from extensions.reference.recording import ReferencePulse, ReferenceRecording, number
 from tracker.base.errors import FileError
 from tracker.base.notices import notice
 
 
-def read_table(path: Path, lines: list[str], columns: TableColumns, unit: float) -> Recording:
+def read_table(
+    path: Path, lines: list[str], columns: TableColumns, unit: float
+) -> ReferenceRecording:
     """The header is the first line that contains all the columns; ``unit`` in m.
 
     Raises FileError.
@@ -41,9 +43,9 @@ def read_table(path: Path, lines: list[str], columns: TableColumns, unit: float)
     points = np.array([column(c) for c in axes]).T.reshape(len(body), -1, 3) * unit
     points = np.where(np.isfinite(points).all(axis=2, keepdims=True), points, np.nan)
     pulses = _pulses(column(columns.pulse), t, columns.pulse) if columns.pulse else ()
-    return Recording("CSV", tuple(columns.points), t, points, pulses=pulses).checked(path)
+    return ReferenceRecording("CSV", tuple(columns.points), t, points, pulses=pulses).checked(path)
 
 
-def _pulses(x: np.ndarray, t: np.ndarray, name: str) -> tuple[Pulse, ...]:
+def _pulses(x: np.ndarray, t: np.ndarray, name: str) -> tuple[ReferencePulse, ...]:
     rows = rising_edges(x, 1.0)
-    return tuple(Pulse(float(np.interp(r, np.arange(len(t)), t)), name) for r in rows)
+    return tuple(ReferencePulse(float(np.interp(r, np.arange(len(t)), t)), name) for r in rows)

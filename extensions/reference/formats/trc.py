@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from extensions.reference.recording import Recording, metres, number, numbers, triples
+from extensions.reference.recording import ReferenceRecording, metres, number, numbers, triples
 from tracker.base.errors import FileError
 from tracker.base.notices import notice
 
 
-def read_trc(path: Path, lines: list[str]) -> Recording:
+def read_trc(path: Path, lines: list[str]) -> ReferenceRecording:
     """``lines`` of the file. Raises FileError."""
     cells = [line.rstrip("\r\n").split("\t") for line in lines[:6]]
     if len(cells) < 6 or not cells[0][0].startswith("PathFileType"):
@@ -21,4 +21,4 @@ def read_trc(path: Path, lines: list[str]) -> Recording:
     table = numbers(rows, max([2, *(c + 3 for c in columns.values())]))
     scale = metres(header.get("Units", "mm"), path)
     points = triples(table, list(columns.values())) * scale
-    return Recording("TRC", tuple(columns), table[:, 1], points).checked(path)
+    return ReferenceRecording("TRC", tuple(columns), table[:, 1], points).checked(path)

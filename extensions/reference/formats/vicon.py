@@ -7,14 +7,21 @@ from pathlib import Path
 
 import numpy as np
 
-from extensions.reference.recording import Pulse, Recording, metres, number, numbers, triples
+from extensions.reference.recording import (
+    ReferencePulse,
+    ReferenceRecording,
+    metres,
+    number,
+    numbers,
+    triples,
+)
 from tracker.base.errors import FileError
 from tracker.base.notices import notice
 
 _SECTIONS = ("Trajectories", "Events", "Devices", "Model Outputs", "Joints", "Segments")
 
 
-def read_vicon(path: Path, lines: list[str]) -> Recording:
+def read_vicon(path: Path, lines: list[str]) -> ReferenceRecording:
     """Times count from frame 1, as those of events do. Raises FileError."""
     sections = _sections(lines)
     rows = sections.get("Trajectories", [])
@@ -30,11 +37,11 @@ def read_vicon(path: Path, lines: list[str]) -> Recording:
     points = triples(table, list(columns.values())) * metres(unit, path)
     t = (table[:, 0] - 1) / rate
     pulses = tuple(
-        Pulse(number(r[3]), r[2].strip())
+        ReferencePulse(number(r[3]), r[2].strip())
         for r in sections.get("Events", [])[3:]
         if len(r) > 3 and np.isfinite(number(r[3]))
     )
-    return Recording("Vicon CSV", tuple(columns), t, points, pulses=pulses).checked(path)
+    return ReferenceRecording("Vicon CSV", tuple(columns), t, points, pulses=pulses).checked(path)
 
 
 def _sections(lines: list[str]) -> dict[str, list[list[str]]]:

@@ -13,7 +13,7 @@ from numpy.testing import assert_allclose
 
 from extensions.reference.accuracy import ALL, MULTIPLES, expected, headline, measure, summary
 from extensions.reference.angles import angles_of
-from extensions.reference.importing import ImportOptions, import_reference
+from extensions.reference.importing import ReferenceImportOptions, import_reference
 from extensions.reference.pairs import Pairs, anonymized, read_pairs
 from extensions.reference.tests.conftest import Wearer
 from extensions.reference.tests.laboratory import Laboratory, write_c3d
@@ -33,7 +33,7 @@ def referenced(wearer: Wearer, tmp_path_factory: pytest.TempPathFactory) -> Path
     _, x_L = Laboratory().record(wearer, 20.0)
     path = write_c3d(folder / "lab.c3d", wearer.info.keypoint_names, x_L)
     start = "2025-01-01T00:00:00.500+00:00"
-    options = ImportOptions(by="clock", start=start, register="none")
+    options = ReferenceImportOptions(by="clock", start=start, register="none")
     import_reference(path, session, folder / "with.mcap", options)
     return folder / "with.mcap"
 

@@ -13,7 +13,7 @@ from numpy.testing import assert_allclose
 
 from extensions.reference.formats.read import read_reference
 from extensions.reference.mapping import PointMapping, as_keypoints, keypoint_of, read_mapping
-from extensions.reference.recording import Recording
+from extensions.reference.recording import ReferenceRecording
 from tracker.base.errors import FileError
 from tracker.hand.names import KEYPOINTS
 
@@ -331,7 +331,7 @@ def test_points_are_found_by_their_names(name: str, keypoint: str, side: str) ->
 def test_the_other_hand_s_points_are_not_used(tmp_path: Path) -> None:
     names = ("LeftHand", "LeftHandIndex1", "LeftHandIndex4", "RightHand", "RightHandThumb4")
     points = np.arange(30.0).reshape(2, 5, 3)
-    both = Recording("BVH", names, np.arange(2.0), points)
+    both = ReferenceRecording("BVH", names, np.arange(2.0), points)
     left = as_keypoints(both, tuple(KEYPOINTS), "left", PointMapping(), tmp_path)
     assert left.names == ("wrist", "index_mcp", "index_tip")
     assert_allclose(left.points, points[:, :3])

@@ -10,7 +10,7 @@ import ezc3d
 import numpy as np
 import pytest
 
-from extensions.reference.importing import ImportOptions, import_reference
+from extensions.reference.importing import ReferenceImportOptions, import_reference
 from extensions.reference.registration import register, register_offsets
 from extensions.reference.session import read_imported
 from extensions.reference.tests.conftest import START, Wearer
@@ -143,13 +143,15 @@ def test_a_reference_of_another_movement_is_refused(
 def test_times_are_aligned_by_the_clock(wearer: Wearer, short: Path, tmp_path: Path) -> None:
     _, x_L = FAULTY.record(wearer, 15.0)
     path = write_c3d(tmp_path / "lab.c3d", wearer.info.keypoint_names, x_L)
-    options = ImportOptions(by="clock", start="2025-01-01T00:00:00.537+00:00")  # START + 37 ms
+    options = ReferenceImportOptions(
+        by="clock", start="2025-01-01T00:00:00.537+00:00"
+    )  # START + 37 ms
     about = import_reference(path, short, tmp_path / "out.mcap", options)
     assert START == 0.5 and about.timing.offset == pytest.approx(0.037, abs=1e-6)
     with pytest.raises(FileError) as error:
-        import_reference(path, short, tmp_path / "o.mcap", ImportOptions(by="clock"))
+        import_reference(path, short, tmp_path / "o.mcap", ReferenceImportOptions(by="clock"))
     assert error.value.notice.code == "reference.no_clock"
-    late = ImportOptions(by="clock", start="2025-01-01T02:00:00+00:00")
+    late = ReferenceImportOptions(by="clock", start="2025-01-01T02:00:00+00:00")
     with pytest.raises(FileError) as error:
         import_reference(path, short, tmp_path / "o.mcap", late)
     assert error.value.notice.code == "reference.no_overlap"
@@ -201,7 +203,7 @@ def test_pulses_of_a_session_and_of_a_c3d_file(wearer: Wearer, tmp_path: Path) -
         5.0 * ((t >= p - 0.4) & (t < p - 0.3)) for p in at
     )[None, None]  # fmt: skip
     file.write(str(path))
-    options = ImportOptions(by="pulse", pulse="Sync")
+    options = ReferenceImportOptions(by="pulse", pulse="Sync")
     about = import_reference(path, session, tmp_path / "out.mcap", options)
     assert about.timing.parts == 4 and about.timing.offset == pytest.approx(0.4, abs=1 / 1200)
     assert about.rigid.residual < 0.0025

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from extensions.reference.importing import ImportOptions, import_reference
+from extensions.reference.importing import ReferenceImportOptions, import_reference
 from extensions.reference.mapping import read_mapping
 from extensions.reference.page import replay
 from extensions.reference.recognition import mapping_template, recognise
@@ -115,7 +115,7 @@ def test_a_rigid_registration_estimates_no_offsets(
 ) -> None:
     lab = replace(FAULTY, markers=markers(wearer))
     path = write_c3d(tmp_path / "l.c3d", wearer.info.keypoint_names, lab.record(wearer, 19.0)[1])
-    options = ImportOptions(register="rigid")
+    options = ReferenceImportOptions(register="rigid")
     shares: list[float] = []
     found = import_reference(path, short, tmp_path / "out.mcap", options, watch=shares.append)
     assert not found.with_offsets.offsets.any()

@@ -11,7 +11,7 @@ from app.engines.replay.hands import known_hand
 from app.engines.replay.references import References, ReferenceTrack
 from app.window.main_window import MainWindow
 from extensions.reference.angles import segment_axes
-from extensions.reference.importing import ImportOptions, import_reference
+from extensions.reference.importing import ReferenceImportOptions, import_reference
 from extensions.reference.tests.conftest import START, Wearer
 from extensions.reference.tests.laboratory import FAULTY, write_c3d
 from tracker.geometry import so3
@@ -46,7 +46,7 @@ def test_points_of_an_incomplete_reference_are_drawn(
     rows = [wearer.info.keypoint_names.index(n) for n in names]
     lab = write_c3d(tmp_path / "few.c3d", names, FAULTY.record(wearer, 19.0)[1][:, rows])
     out = tmp_path / "out.mcap"
-    import_reference(lab, short, out, ImportOptions(register="rigid"))
+    import_reference(lab, short, out, ReferenceImportOptions(register="rigid"))
     window.sources.open_session(out, 10.0)
     qtbot.waitUntil(lambda: _crosses(window) == 3, timeout=60_000)
     scene = window.hand._hands[0].scene

@@ -12,7 +12,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QDesktopServices
 
 from app.window.main_window import MainWindow
-from extensions.reference.importing import ImportOptions
+from extensions.reference.importing import ReferenceImportOptions
 from extensions.reference.tests.conftest import Wearer
 from extensions.reference.tests.laboratory import FAULTY, write_c3d
 from extensions.reference.window.accuracy_dialog import AccuracyDialog
@@ -180,17 +180,19 @@ def test_each_way_has_its_field(replayed: MainWindow, session: Path, qtbot) -> N
     def choose_in(box, value: str) -> None:
         box.setCurrentIndex(box.findData(value))
 
-    assert form.options() == ImportOptions()
+    assert form.options() == ReferenceImportOptions()
     assert not (form.pulse.isVisible() or form.start.isVisible() or form.hand.isVisible())
     form.pulse.setText("Sync")
     form.start.setText("2026-03-31T14:05:09")
     choose_in(form.way, "pulse")
-    assert form.pulse.isVisible() and form.options() == ImportOptions(by="pulse", pulse="Sync")
+    assert form.pulse.isVisible() and form.options() == ReferenceImportOptions(
+        by="pulse", pulse="Sync"
+    )
     form.drift.setChecked(False)
     choose_in(form.registration, "none")
     choose_in(form.way, "clock")
     assert form.start.isVisible() and not form.drift.isEnabled()
-    assert form.options() == ImportOptions(
+    assert form.options() == ReferenceImportOptions(
         by="clock", start="2026-03-31T14:05:09", with_drift=False, register="none"
     )
 

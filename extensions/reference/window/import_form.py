@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 from app.engines.engine import EngineSetup
 from app.widgets.measures import APART
 from app.words import SIDES, tr
-from extensions.reference.importing import ImportOptions
+from extensions.reference.importing import ReferenceImportOptions
 from extensions.reference.window.jobs import ReferenceFile
 from extensions.reference.window.view_model import REGISTRATIONS, WAYS
 
@@ -132,8 +132,8 @@ class ImportForm(QWidget):
     def _pulse(self) -> str:
         return self.pulse.text().strip() if self.way.currentData() == "pulse" else ""
 
-    def options(self) -> ImportOptions:
-        return ImportOptions(
+    def options(self) -> ReferenceImportOptions:
+        return ReferenceImportOptions(
             self.mapping_path,
             self.way.currentData(),
             self._pulse,

@@ -11,8 +11,8 @@ from typing import NamedTuple
 from app.platform.subprocess_job import run_in_subprocess
 from app.platform.tasks import Job, JobProgress
 from extensions.reference.accuracy import headline, worst_of
-from extensions.reference.importing import ImportOptions, import_reference
-from extensions.reference.recognition import Recognised, mapping_template, recognise
+from extensions.reference.importing import ReferenceImportOptions, import_reference
+from extensions.reference.recognition import RecognisedPoints, mapping_template, recognise
 from extensions.reference.remarks import remarks
 from extensions.reference.report import write_report
 from extensions.reference.session import Described
@@ -38,7 +38,7 @@ class Answer(NamedTuple):
     """What is in the file that request ``number`` named, or why it cannot be read."""
 
     number: int
-    found: Recognised | None
+    found: RecognisedPoints | None
     problem: Notice | None
 
 
@@ -76,7 +76,7 @@ class ImportedSession(NamedTuple):
     remarks: list[Notice]
 
 
-def import_job(reference: Path, session: Path, options: ImportOptions) -> Job:
+def import_job(reference: Path, session: Path, options: ReferenceImportOptions) -> Job:
     """A job that returns an `ImportedSession`: ``…_reference.mcap`` next to ``session``."""
 
     def run(progress: JobProgress) -> ImportedSession:
@@ -88,7 +88,7 @@ def import_job(reference: Path, session: Path, options: ImportOptions) -> Job:
 
 
 def _import(
-    reference: Path, session: Path, options: ImportOptions, watch: Watch
+    reference: Path, session: Path, options: ReferenceImportOptions, watch: Watch
 ) -> ImportedSession:
     out = free_path(session.with_name(f"{session.stem}_reference{session.suffix}"))
     about = import_reference(reference, session, out, options, watch=watch)

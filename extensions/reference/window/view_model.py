@@ -10,7 +10,7 @@ from app.viewmodels.names import spoken
 from app.viewmodels.recording import position_text
 from app.viewmodels.states import VALIDITY, WARN
 from app.words import SIDES, local, mark, notice_text, tr
-from extensions.reference.recognition import Recognised
+from extensions.reference.recognition import RecognisedPoints
 from extensions.reference.session import Described
 from extensions.reference.window.jobs import WorstInstant
 from tracker.base.notices import Notice, Severity
@@ -30,7 +30,7 @@ STATES = {state.name.lower(): VALIDITY[state] for state in Validity}
 MOST_NAMES = 8  # of keypoints in a sentence
 
 
-def recognised_text(found: Recognised) -> str:
+def recognised_text(found: RecognisedPoints) -> str:
     """Format, length, and which keypoints the file has."""
     total = len(found.keypoints) + len(found.missing)
     parts = [

@@ -25,7 +25,7 @@ from tracker.hand.model import HandModel
 from tracker.messages import Array, ImuSample, Tracking
 from tracker.offline.simulate import SimulateOptions, build
 from tracker.session.writer import SessionRecorder
-from tracker.simulation.motion import Motion
+from tracker.simulation.motion import SimulatedMotion
 from tracker.simulation.scenario import Simulation, SimulationParams
 from tracker.simulation.wearer import WearerParams
 
@@ -36,7 +36,7 @@ IN_PLACE = SimulationParams(wearer=WearerParams(mounting_deg=0.0, wobble_deg=0.0
 INERTIAL = Settings(engine="inertial")
 
 
-def moved(motion: Motion, tracker: RoomTracker = TRUE) -> Moved:
+def moved(motion: SimulatedMotion, tracker: RoomTracker = TRUE) -> Moved:
     hand, glove = library.load()
     sim = Simulation(hand, glove, motion, 3, IN_PLACE)
     Rz, poses = so3.rz(YAW), tracker.poses(sim)
@@ -112,7 +112,7 @@ def test_a_tracker_on_something_else_is_refused(movement: Moved) -> None:
         solve(replace(movement, R_WT=movement.R_WT[::-1].copy()))
 
 
-def recorded(path: Path, motion: Motion, tracker: RoomTracker | None) -> None:
+def recorded(path: Path, motion: SimulatedMotion, tracker: RoomTracker | None) -> None:
     """What is recorded before an alignment: the tracker's frame counts as the hand's."""
     sim, info = build(SimulateOptions(seed=3, duration=motion.duration, fps=30, images=False))
     info = replace(info, rig=None, engine="inertial", settings_text=to_toml(INERTIAL))

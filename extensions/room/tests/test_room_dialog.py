@@ -15,13 +15,13 @@ from extensions.osc.vmc_pose import unity_pose
 from extensions.room import alignment_file
 from extensions.room.alignment import AlignmentError
 from extensions.room.osc_poses import NO_ROTATION, RoomPose
-from extensions.room.taker import Received
+from extensions.room.taker import ReceivedPoses
 from extensions.room.tests.test_alignment import DELAY, IN_PLACE, TRUE, errors
 from extensions.room.tests.turning import Turning
 from extensions.room.tests.vrpn_server import VrpnServer, pose
 from extensions.room.window import guided
 from extensions.room.window.dialog import RoomDialog
-from extensions.room.window.guided import GuidedMovement, Phase
+from extensions.room.window.guided import GuidedMovement, MovementPhase
 from extensions.room.window.listening import Listened, tracker_lines, verdict
 from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup
 from tests.notices import raises, shows
@@ -213,7 +213,7 @@ def send_movement(
     for k, true in enumerate(replace(TRUE, rate=60.0).poses(engine.sim)):
         clock.now = true.t + DELAY
         send(client, true)
-        while taker.received().get("LHR-1", Received(0, True)).count <= k:
+        while taker.received().get("LHR-1", ReceivedPoses(0, True)).count <= k:
             pass
         if k % 12 == 0:
             dialog.align.tick()
@@ -258,12 +258,14 @@ def test_each_kind_of_turn_is_asked_for() -> None:
     run, said = guided_with("a"), []
     for t in np.arange(10.0, 30.0, 0.5):
         run.tick(float(t), [])
-        said += [run.words(float(t))] if run.phase != Phase.DONE else []
-    assert len(dict.fromkeys(said)) == 4 and run.phase == Phase.DONE and run.share == 1.0
+        said += [run.words(float(t))] if run.phase != MovementPhase.DONE else []
+    assert len(dict.fromkeys(said)) == 4 and run.phase == MovementPhase.DONE and run.share == 1.0
 
 
 def test_the_verdict_names_what_to_do() -> None:
-    one = Listened("x", 2.0, {"a": Received(180, True), "b": Received(20, False)}, 0, None)
+    one = Listened(
+        "x", 2.0, {"a": ReceivedPoses(180, True), "b": ReceivedPoses(20, False)}, 0, None
+    )
     none = replace(one, trackers={})
     assert verdict(one, {"right": "a"}).code == "room.test_received"
     assert verdict(one, {"right": "any", "left": ""}).code == "room.test_received"
@@ -274,5 +276,5 @@ def test_the_verdict_names_what_to_do() -> None:
     assert verdict(replace(none, connected=False), {}).code == "room.test_no_connection"
     lines = tracker_lines(one)
     assert "90" in lines[0] and "without rotation" in lines[1]
-    many = replace(one, trackers={f"t{k:02}": Received(20, True) for k in range(20)})
+    many = replace(one, trackers={f"t{k:02}": ReceivedPoses(20, True) for k in range(20)})
     assert len(tracker_lines(many)) == 13

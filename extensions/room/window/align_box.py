@@ -23,7 +23,7 @@ from app.platform.tasks import JobProgress, TaskOwner
 from app.words import error_text
 from extensions.room import alignment_file
 from extensions.room.alignment import Alignment, Moved, solve
-from extensions.room.window.guided import GuidedMovement, Phase, residual_text
+from extensions.room.window.guided import GuidedMovement, MovementPhase, residual_text
 from extensions.room.window.listening import PoseDoor, pose_door
 from extensions.room.window.source_form import ALIGNMENT
 from tracker.base.clock import monotonic
@@ -152,7 +152,7 @@ class AlignBox(QGroupBox):
         self.say(run.words(now))
         self.progress.setValue(round(100 * run.share))
         self.counts.setText(self.tr("{} packets of the glove, {} poses").format(*run.counts))
-        if run.phase == Phase.DONE:
+        if run.phase == MovementPhase.DONE:
             self._end(run, side)
 
     def _end(self, run: GuidedMovement, side: str) -> None:

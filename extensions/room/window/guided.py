@@ -9,7 +9,7 @@ import numpy as np
 
 from app.words import tr
 from extensions.room.alignment import Alignment, AlignmentError, Moved
-from extensions.room.movement import Track, moved_by
+from extensions.room.movement import PoseTrack, moved_by
 from extensions.room.osc_poses import RoomPose
 from extensions.room.placement import is_named
 from tracker.base.notices import failure
@@ -21,7 +21,7 @@ STILL_S, TURN_S = 2.0, 15.0
 EACH_S = 5.0  # s of each kind of turn that is asked for
 
 
-class Phase(Enum):
+class MovementPhase(Enum):
     WAITING = "waiting"
     STILL = "still"
     TURNING = "turning"
@@ -37,34 +37,36 @@ class GuidedMovement:
 
     def __init__(self, hand: HandModel, glove: GloveModel, name: str, delay: float) -> None:
         self._hand, self._glove, self._name, self._delay = hand, glove, name, delay
-        self.phase, self.share = Phase.WAITING, 0.0
+        self.phase, self.share = MovementPhase.WAITING, 0.0
         self._begun = 0.0
         self._samples: list[ImuSample] = []
         self._poses: list[tuple[float, RoomPose]] = []
 
     def start(self, t: float) -> None:
-        self._begun, self.phase = t, Phase.STILL
+        self._begun, self.phase = t, MovementPhase.STILL
         self._samples, self._poses = [], []
 
     def pose(self, pose: RoomPose, t: float) -> None:
-        if self.phase in (Phase.STILL, Phase.TURNING) and is_named(self._name, pose.name):
+        if self.phase in (MovementPhase.STILL, MovementPhase.TURNING) and is_named(
+            self._name, pose.name
+        ):
             self._poses.append((t - self._delay, pose))
 
     def tick(self, t: float, packets: Sequence[ImuSample]) -> None:
         """``packets``: the glove's last ones, those before among them."""
-        if self.phase not in (Phase.STILL, Phase.TURNING):
+        if self.phase not in (MovementPhase.STILL, MovementPhase.TURNING):
             return
         last = self._samples[-1].t if self._samples else self._begun
         self._samples += [p for p in packets if p.t > last]
         elapsed = t - self._begun
         self.share = min(elapsed / (STILL_S + TURN_S), 1.0)
         if elapsed >= STILL_S + TURN_S:
-            self.phase = Phase.DONE
+            self.phase = MovementPhase.DONE
         elif elapsed >= STILL_S:
-            self.phase = Phase.TURNING
+            self.phase = MovementPhase.TURNING
 
     def cancel(self) -> None:
-        self.phase = Phase.WAITING
+        self.phase = MovementPhase.WAITING
 
     @property
     def counts(self) -> tuple[int, int]:
@@ -73,7 +75,7 @@ class GuidedMovement:
 
     def words(self, t: float) -> str:
         """What to do now."""
-        if self.phase == Phase.STILL:
+        if self.phase == MovementPhase.STILL:
             return tr("Rest the wrist on the edge of a table and hold the hand still.")
         turns = (
             tr("Keep the wrist there. Turn the palm up and down."),
@@ -93,7 +95,7 @@ class GuidedMovement:
             if self._poses:
                 raise AlignmentError(failure("room.only_positions", name=self._name))
             raise AlignmentError(failure("room.not_received", name=self._name))
-        track = Track(
+        track = PoseTrack(
             np.array([t for t, _ in poses]),
             np.array([p.p for _, p in poses]),
             np.array([p.q for _, p in poses]),

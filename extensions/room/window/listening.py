@@ -11,7 +11,7 @@ from typing import Any, Protocol, cast
 from app.platform.tasks import Job, JobProgress
 from app.words import tr
 from extensions.room.placement import ANY
-from extensions.room.taker import PoseTaker, Received
+from extensions.room.taker import PoseTaker, ReceivedPoses
 from tracker.base.notices import Notice, failure, notice, warning
 from tracker.hand.names import SIDES
 from tracker.streaming.remote.doors import Door
@@ -38,7 +38,7 @@ class Listened:
 
     address: str
     seconds: float
-    trackers: Mapping[str, Received]
+    trackers: Mapping[str, ReceivedPoses]
     unreadable: int
     connected: bool | None
 
@@ -82,7 +82,7 @@ def _listened(door: PoseDoor, seconds: float, progress: JobProgress) -> Listened
     for name, received in door.taker.received().items():
         count = received.count - (before[name].count if name in before else 0)
         if count:
-            trackers[name] = Received(count, received.with_rotation)
+            trackers[name] = ReceivedPoses(count, received.with_rotation)
     counts = door.counts()
     connected = None if counts.clients is None else counts.clients > 0
     unread = door.taker.refused - refused

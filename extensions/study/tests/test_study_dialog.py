@@ -11,12 +11,12 @@ from PySide6.QtWidgets import QDialog
 
 from app.engines.protocols import RecordingRequest
 from app.window.main_window import MainWindow
-from extensions.study.conductor import Phase
+from extensions.study.conductor import TrialPhase
 from extensions.study.examples import protocol_path
 from extensions.study.folder import Study, start_study
 from extensions.study.progress import ACCEPTED
 from extensions.study.tests.studies import SHORT, write_protocol
-from extensions.study.verdict import Measured, Verdict
+from extensions.study.verdict import MeasuredRecording, TrialVerdict
 from extensions.study.window.dialog import StudyDialog
 from extensions.study.window.extension import show_study
 from tests.gui.gui_fakes import MemoryRecorder, ScriptedEngine, scripted_setup
@@ -56,10 +56,12 @@ def dialog(
     """Verdicts are those of ``verdicts``, since the recorder writes no file."""
     window.host.adopt(scripted_setup(ScriptedEngine(), recorders))
     qtbot.waitUntil(lambda: window.host.running, timeout=PATIENCE_MS)
-    verdicts = [Verdict(Measured(), (warning("study.unfinished"),))]
+    verdicts = [TrialVerdict(MeasuredRecording(), (warning("study.unfinished"),))]
 
     def verdict_job(path: Path, step, limits):
-        return lambda progress: verdicts.pop() if verdicts else Verdict(Measured(duration=1.0))
+        return lambda progress: (
+            verdicts.pop() if verdicts else TrialVerdict(MeasuredRecording(duration=1.0))
+        )
 
     monkeypatch.setattr("extensions.study.window.dialog.verdict_job", verdict_job)
     show_study(window.context, study)
@@ -73,7 +75,7 @@ def click(button, qtbot) -> None:
     qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
 
 
-def reach(dialog: StudyDialog, phase: Phase, qtbot) -> None:
+def reach(dialog: StudyDialog, phase: TrialPhase, qtbot) -> None:
     assert dialog.conductor is not None
     conductor = dialog.conductor
     qtbot.waitUntil(lambda: conductor.phase is phase, timeout=PATIENCE_MS)
@@ -87,18 +89,18 @@ def test_a_study_is_run_by_clicks(
     assert "Practice" in dialog.title.text() and "Copy each posture." in dialog.detail.text()
     click(dialog.next_button, qtbot)
     assert not dialog.cue.pixmap().isNull() and recorders == []
-    reach(dialog, Phase.READY, qtbot)
+    reach(dialog, TrialPhase.READY, qtbot)
     click(dialog.next_button, qtbot)
     request = window.host.recording.request
     assert request is not None and request.participant == "P01" and request.task == "postures"
     assert request.path.name == "sub-P01_ses-free_task-postures_run-01.mcap"
     assert not dialog.participants.isEnabled()
-    reach(dialog, Phase.VERDICT, qtbot)
+    reach(dialog, TrialPhase.VERDICT, qtbot)
     assert dialog.cue.text() == "Not good" and dialog.exclude_button.isVisible()
     assert dialog.repeat_button.property("role") == "primary"
     click(dialog.repeat_button, qtbot)
     click(dialog.next_button, qtbot)
-    reach(dialog, Phase.VERDICT, qtbot)
+    reach(dialog, TrialPhase.VERDICT, qtbot)
     assert dialog.cue.text() == "Good" and dialog.next_button.property("role") == "primary"
     notes = [m for r in recorders for m in r.messages if isinstance(m, Event) and m.kind == "note"]
     assert [n.text for n in notes] == ["hand.png", "hand.png"]
@@ -108,7 +110,7 @@ def test_a_study_is_run_by_clicks(
     click(dialog.next_button, qtbot)
     assert dialog.next_button.text() == "&Finished"
     click(dialog.next_button, qtbot)
-    reach(dialog, Phase.VERDICT, qtbot)
+    reach(dialog, TrialPhase.VERDICT, qtbot)
     click(dialog.next_button, qtbot)
     assert dialog.title.text() == "Finished" and not dialog.next_button.isVisible()
     progress = study.progress("P01")
@@ -120,7 +122,7 @@ def test_closing_the_dialog_interrupts_the_trial(
     dialog: StudyDialog, study: Study, window: MainWindow, qtbot
 ) -> None:
     click(dialog.next_button, qtbot)
-    reach(dialog, Phase.READY, qtbot)
+    reach(dialog, TrialPhase.READY, qtbot)
     click(dialog.next_button, qtbot)
     assert window.host.recording.request is not None
     dialog.close()
@@ -137,7 +139,7 @@ def test_without_an_engine_no_trial_begins(window: MainWindow, study: Study, qtb
     show_study(window.context, study)
     (dialog,) = window.findChildren(StudyDialog)
     click(dialog.next_button, qtbot)
-    reach(dialog, Phase.READY, qtbot)
+    reach(dialog, TrialPhase.READY, qtbot)
     click(dialog.next_button, qtbot)
     assert shows(dialog.detail.text(), "study.no_engine")
     dialog.close()
@@ -152,19 +154,19 @@ def test_a_touch_trial_is_the_windows_touch_test(
     qtbot.waitUntil(lambda: window.host.running, timeout=PATIENCE_MS)
     monkeypatch.setattr(
         "extensions.study.window.dialog.verdict_job",
-        lambda path, step, limits: lambda progress: Verdict(Measured(duration=300.0)),
+        lambda path, step, limits: lambda progress: TrialVerdict(MeasuredRecording(duration=300.0)),
     )
     show_study(window.context, study, "P02")
     (dialog,) = window.findChildren(StudyDialog)
     click(dialog.next_button, qtbot)
-    reach(dialog, Phase.RUNNING, qtbot)
+    reach(dialog, TrialPhase.RUNNING, qtbot)
     (touch,) = (d for d in window.findChildren(QDialog) if d.objectName() == "touch_test")
     assert touch.isVisible() and window.store.value.participant == "P02"
     assert window.host.recording.request is None, "the touch test records itself"
     own = tmp_path / "touch-test.mcap"
     assert window.host.recording.begin(RecordingRequest(own, "P02", "touch-test"))
     window.host.recording.end()
-    reach(dialog, Phase.VERDICT, qtbot)
+    reach(dialog, TrialPhase.VERDICT, qtbot)
     click(dialog.next_button, qtbot)
     progress = study.progress("P02")
     first = progress.trials[0]

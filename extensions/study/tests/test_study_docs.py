@@ -43,10 +43,10 @@ def test_every_command_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
 def test_the_table_has_every_key() -> None:
     from dataclasses import fields
 
-    from extensions.study.protocol import Condition, Limits, Protocol, Task
+    from extensions.study.protocol import Condition, Protocol, Task, TrialLimits
 
     text = PAGE.read_text("utf-8")
     described = set(KEY.findall(text[text.index("## Keys of the protocol") :]))
-    for kind in (Protocol, Condition, Limits, Task):
+    for kind in (Protocol, Condition, TrialLimits, Task):
         names = {f.name for f in fields(kind)} - {"conditions", "tasks", "limits"}
         assert names <= described, kind

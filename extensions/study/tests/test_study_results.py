@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from extensions.study.errors import Truth, read_truth, trial_of
+from extensions.study.errors import TrueKeypoints, read_truth, trial_of
 from extensions.study.folder import Study
 from extensions.study.retrack import RECORDED, chosen, retracked, variants
 from extensions.study.tables import ALL, Evaluated, evaluate, rows_of
@@ -95,7 +95,7 @@ def test_a_reference_is_interpolated_but_not_over_gaps() -> None:
     t = np.array([0.0, 0.1, 0.2, 1.0, 1.1])
     keypoints = np.zeros((5, 1, 3))
     keypoints[:, 0, 0] = t
-    at, _ = Truth(t, keypoints, np.zeros((5, 3, 3)), "reference").at(
+    at, _ = TrueKeypoints(t, keypoints, np.zeros((5, 3, 3)), "reference").at(
         np.array([-0.05, 0.05, 0.2, 0.6, 1.05, 1.2])
     )
     assert at[:, 0, 0] == pytest.approx([np.nan, 0.05, 0.2, np.nan, 1.05, np.nan], nan_ok=True)

@@ -23,15 +23,15 @@ from PySide6.QtWidgets import (
 from app.panels.command_kind import CommandContext
 from app.window.contributions import COMMANDS
 from app.words import error_text
-from extensions.study.conductor import Conductor, Phase
+from extensions.study.conductor import Conductor, TrialPhase
 from extensions.study.folder import STORED, Study
 from extensions.study.progress import FINISHED, locked
 from extensions.study.protocol import is_picture
-from extensions.study.schedule import Step
-from extensions.study.verdict import Verdict
+from extensions.study.schedule import ScheduleStep
+from extensions.study.verdict import TrialVerdict
 from extensions.study.window.job import report_job, verdict_job
 from extensions.study.window.station import HostStation
-from extensions.study.window.view_model import Shown, shown
+from extensions.study.window.view_model import ShownStep, shown
 from tracker.base.clock import monotonic
 from tracker.base.errors import GlovetrackError
 
@@ -146,7 +146,7 @@ class StudyDialog(QDialog):
         if conductor is None:
             return
         self._try(lambda: conductor.tick(monotonic()))
-        if conductor.phase is Phase.CHECKING and self._host.recording.file is None:
+        if conductor.phase is TrialPhase.CHECKING and self._host.recording.file is None:
             self._judge()  # of a recording that was completed before the dialog was opened
         self._show(conductor)
 
@@ -165,14 +165,14 @@ class StudyDialog(QDialog):
         try:
             work()
         except GlovetrackError as error:
-            if self.conductor is not None and self.conductor.phase is Phase.READY:
+            if self.conductor is not None and self.conductor.phase is TrialPhase.READY:
                 self._say(error_text(error))
             else:
                 self._host.error.emit(error_text(error))
 
     # --- recordings
 
-    def _begin_touch(self, step: Step) -> bool:
+    def _begin_touch(self, step: ScheduleStep) -> bool:
         """Open the touch test for its trial; False for another task."""
         if self._study.protocol.tasks[step.task].kind != "touch":
             return False
@@ -186,7 +186,7 @@ class StudyDialog(QDialog):
         if conductor is None or step is None or conductor.progress.task is None:
             return
         own = conductor.progress.path(step)
-        touch = conductor.progress.task.kind == "touch" and conductor.phase is Phase.RUNNING
+        touch = conductor.progress.task.kind == "touch" and conductor.phase is TrialPhase.RUNNING
         if touch and path != own:
             _link(path, own)  # the touch test has its own file, next to its own report
             conductor.go_on(monotonic())
@@ -199,7 +199,7 @@ class StudyDialog(QDialog):
         """Judge the trial's recording in the background, once."""
         conductor = self.conductor
         step = conductor.step if conductor is not None else None
-        if conductor is None or step is None or conductor.phase is not Phase.CHECKING:
+        if conductor is None or step is None or conductor.phase is not TrialPhase.CHECKING:
             return
         attempt = f"{step.name} {len(conductor.progress.entry(step).tries)}"
         if self._checked == attempt:
@@ -208,7 +208,7 @@ class StudyDialog(QDialog):
         job = verdict_job(conductor.progress.path(step), step, self._study.protocol.limits)
         title = self.tr("Verdict on {}").format(step.name)
 
-        def judged(verdict: Verdict) -> None:
+        def judged(verdict: TrialVerdict) -> None:
             if self.conductor is conductor:
                 conductor.judged(verdict)
                 self.tick()
@@ -240,11 +240,11 @@ class StudyDialog(QDialog):
         self.exclude_button.setVisible(view.can_exclude)
         self.pause_button.setVisible(view.can_pause)
         self.pause_button.setText(self.tr("&Continue") if conductor.paused else self.tr("&Pause"))
-        idle = conductor.phase in (Phase.READY, Phase.REST, Phase.DONE)
+        idle = conductor.phase in (TrialPhase.READY, TrialPhase.REST, TrialPhase.DONE)
         self.participants.setEnabled(idle)
         self.report_button.setEnabled(idle)
 
-    def _show_cue(self, view: Shown) -> None:
+    def _show_cue(self, view: ShownStep) -> None:
         colour = {True: f"; color: {GOOD}", False: f"; color: {BAD}", None: ""}[view.is_good]
         style = f"font-size: {CUE_PT}pt{colour}"
         if self.cue.styleSheet() != style:

@@ -10,22 +10,24 @@ from typing import Any
 from app.platform.subprocess_job import run_in_subprocess
 from app.platform.tasks import Job, JobProgress
 from extensions.study.folder import open_study
-from extensions.study.protocol import Limits
-from extensions.study.schedule import Step
-from extensions.study.verdict import Verdict, judge, stored
+from extensions.study.protocol import TrialLimits
+from extensions.study.schedule import ScheduleStep
+from extensions.study.verdict import TrialVerdict, judge, stored
 
 
-def verdict_job(path: Path, step: Step, limits: Limits) -> Job:
-    """A job that returns the `Verdict` on a recording."""
+def verdict_job(path: Path, step: ScheduleStep, limits: TrialLimits) -> Job:
+    """A job that returns the `TrialVerdict` on a recording."""
 
-    def run(progress: JobProgress) -> Verdict:
+    def run(progress: JobProgress) -> TrialVerdict:
         work = partial(_judge, path, step, limits)
         return stored(run_in_subprocess("verdict", work, progress))
 
     return run
 
 
-def _judge(path: Path, step: Step, limits: Limits, _: Callable[..., None]) -> dict[str, Any]:
+def _judge(
+    path: Path, step: ScheduleStep, limits: TrialLimits, _: Callable[..., None]
+) -> dict[str, Any]:
     return judge(path, step, limits).as_json()
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from app.engines.engine_host import EngineHost
 from app.engines.protocols import RecordingRequest
-from extensions.study.schedule import Step
+from extensions.study.schedule import ScheduleStep
 from tracker.base.errors import DeviceError, FileError
 from tracker.base.notices import failure
 
@@ -16,10 +16,10 @@ from tracker.base.notices import failure
 class HostStation:
     """A `Station`. ``touch`` begins a touch test, which records itself."""
 
-    def __init__(self, host: EngineHost, touch: Callable[[Step], bool]) -> None:
+    def __init__(self, host: EngineHost, touch: Callable[[ScheduleStep], bool]) -> None:
         self._host, self._touch = host, touch
 
-    def begin(self, path: Path, step: Step) -> None:
+    def begin(self, path: Path, step: ScheduleStep) -> None:
         """Begin a file. Raises DeviceError without a running engine, FileError."""
         if self._touch(step):
             return

@@ -8,7 +8,7 @@ import numpy as np
 
 from extensions.touch.protocol import FINGERS
 from extensions.touch.simulated.session import session_info
-from extensions.touch.simulated.trial import Trial
+from extensions.touch.simulated.trial import SimulatedTrial
 from tracker.messages import Array, Estimate
 from tracker.offline.simulate import truth_message
 
@@ -20,7 +20,7 @@ class KnownTracker:
     claims ``claimed`` m."""
 
     def __init__(
-        self, trial: Trial, bias: dict[str, list[float]], sd: float, claimed: float
+        self, trial: SimulatedTrial, bias: dict[str, list[float]], sd: float, claimed: float
     ) -> None:
         self.trial, self.bias, self.sd, self.claimed = trial, bias, sd, claimed
         rng = np.random.default_rng(trial.seed)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from extensions.touch.protocol import PINCHES, Cue
+from extensions.touch.protocol import PINCHES, TouchCue
 from extensions.touch.simulated.images import placed_sheet
 from extensions.touch.simulated.wearer import (
     APPROACH,
@@ -33,14 +33,14 @@ class Follower:
 
     def __init__(self) -> None:
         self._touches: Touches | None = None
-        self._last: tuple[Cue, Touching] | None = None
+        self._last: tuple[TouchCue, Touching] | None = None
 
     def away(self, simulation: Simulation, t: float) -> Sequence[PostureRequest]:
         """Take the hand out of view of the sheet."""
         angles = posture(simulation.hand, OPEN)
         return [_held(t, angles, np.eye(3), self._middle(simulation) + OUT)]
 
-    def cue(self, cue: Cue, simulation: Simulation, t: float) -> Sequence[PostureRequest]:
+    def cue(self, cue: TouchCue, simulation: Simulation, t: float) -> Sequence[PostureRequest]:
         """Carry out ``cue``."""
         if cue.what == "pinch":
             return self._pinches(simulation, t)
@@ -49,7 +49,7 @@ class Follower:
             return [_held(t, angles, np.eye(3), self._middle(simulation) + HOVER)]
         return self._touch(cue, simulation, t)
 
-    def _touch(self, cue: Cue, simulation: Simulation, t: float) -> Sequence[PostureRequest]:
+    def _touch(self, cue: TouchCue, simulation: Simulation, t: float) -> Sequence[PostureRequest]:
         """Lift the finger from the last cross, go over the next one, and down."""
         touches, out = self._of(simulation), []
         if self._last is not None:
@@ -89,7 +89,7 @@ class Follower:
         return self._of(simulation).sheet.middle - np.array([0.12, 0.0, 0.0])
 
 
-def _over(touches: Touches, cue: Cue, on: Touching, t: float, above: Array) -> PostureRequest:
+def _over(touches: Touches, cue: TouchCue, on: Touching, t: float, above: Array) -> PostureRequest:
     """The hand of a touch, ``above`` (3,) m from the cross."""
     at = np.array([t])
     angles, R = on.angles[None], on.R_GB[None]

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from extensions.touch.protocol import ruler
 from extensions.touch.simulated.images import sheet_frames
-from extensions.touch.simulated.trial import SHEET_IMAGES, Trial
+from extensions.touch.simulated.trial import SHEET_IMAGES, SimulatedTrial
 from tracker.base.clock import ClockAnchor
 from tracker.glove import library
 from tracker.messages import Calibration, Estimate, Event, Message
@@ -17,7 +17,7 @@ from tracker.session.writer import new_session
 EPOCH_NS = 1_735_689_600 * 10**9  # 2025-01-01, as other simulated sessions
 
 
-def session_info(trial: Trial) -> SessionInfo:
+def session_info(trial: SimulatedTrial) -> SessionInfo:
     """What the session is about; the rig is the calibration that the tracker has."""
     return describe(
         *library.texts(library.DEFAULT_GLOVE),
@@ -30,7 +30,7 @@ def session_info(trial: Trial) -> SessionInfo:
 
 def write_session(
     out: Path,
-    trial: Trial,
+    trial: SimulatedTrial,
     estimates: Iterable[Estimate],
     calibration: Calibration | None = None,
     more: Iterable[Event] = (),

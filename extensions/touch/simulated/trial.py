@@ -8,12 +8,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from extensions.touch.pose import SheetPose, find_sheet
-from extensions.touch.protocol import Cue, touches
-from extensions.touch.rest import Touch, find_touches
+from extensions.touch.protocol import TouchCue, touches
+from extensions.touch.rest import CrossTouch, find_touches
 from extensions.touch.result import TouchResult, evaluate
 from extensions.touch.sheet import RULER
 from extensions.touch.simulated.images import SheetPlace, placed_sheet, sheet_frames
-from extensions.touch.simulated.wearer import OtherHand, TouchMotion
+from extensions.touch.simulated.wearer import OtherHandFinger, TouchMotion
 from extensions.touch.track import tip_tracks
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
@@ -80,14 +80,14 @@ class WearerFigures:
     within: tuple[float, ...]
 
 
-class Trial:
+class SimulatedTrial:
     """A wearer, a sheet, a rig with its fault, and a simulation of the test."""
 
     def __init__(
         self,
         seed: int,
         fault: Fault | None = None,
-        cues: Sequence[Cue] | None = None,
+        cues: Sequence[TouchCue] | None = None,
         fps: float = 30.0,
         lead: float = LEAD,
     ) -> None:
@@ -100,7 +100,7 @@ class Trial:
         before = RandomPostures(self.hand, seed, duration=lead)
         asked = touches() if cues is None else cues
         self.motion = TouchMotion(wearer, self.sheet, asked, before, seed)
-        extras = [OtherHand(self.hand, self.motion.cued)]
+        extras = [OtherHandFinger(self.hand, self.motion.cued)]
         self.sim = Simulation(
             self.hand, self.glove, self.motion, seed, fps=fps, rig=self.true_rig, extras=extras
         )
@@ -154,13 +154,13 @@ def run_trial(
     progress: Callable[[float], None] = lambda share: None,
 ) -> WearerFigures:
     """One wearer; a task of `tracker.base.workers`."""
-    trial = Trial(seed, fault)
+    trial = SimulatedTrial(seed, fault)
     estimates, calibration = trial.track(engine, progress)
     return figures(trial, estimates, calibration)
 
 
 def figures(
-    trial: Trial, estimates: list[Estimate], calibration: Calibration | None
+    trial: SimulatedTrial, estimates: list[Estimate], calibration: Calibration | None
 ) -> WearerFigures:
     """The test's result beside the truth."""
     frames = list(sheet_frames(trial.sheet, trial.true_rig, SHEET_IMAGES, trial.seed))
@@ -199,7 +199,10 @@ def _mm(vector: Array) -> tuple[float, ...]:
 
 
 def measured(
-    trial: Trial, estimates: list[Estimate], calibration: Calibration | None, pose: SheetPose
+    trial: SimulatedTrial,
+    estimates: list[Estimate],
+    calibration: Calibration | None,
+    pose: SheetPose,
 ) -> TouchResult:
     """The test's result from tracked hands and a sheet that was found."""
     tracks = tip_tracks(estimates, trial.filed_hand, trial.glove, calibration)
@@ -207,7 +210,7 @@ def measured(
     return evaluate(found, missed, pose, trial.rig.pose.p_GC)
 
 
-def _true_error(trial: Trial, estimates: list[Estimate], touch: Touch) -> Array:
+def _true_error(trial: SimulatedTrial, estimates: list[Estimate], touch: CrossTouch) -> Array:
     """(3,) m in G: the tracker's mean error of the middle of the fingertip's round end."""
     row = trial.glove.keypoint_names(trial.hand).index(f"{touch.cue.finger}_tip")
     segment = trial.hand.index[f"{touch.cue.finger}_distal"]

@@ -11,13 +11,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from extensions.touch.protocol import FINGERS, Cue, Cued, began, ended
+from extensions.touch.protocol import FINGERS, Cued, TouchCue, began, ended
 from extensions.touch.sheet import BY_NAME
 from extensions.touch.simulated.images import SheetPlace
 from tracker.geometry import so3
 from tracker.hand.model import HandModel
 from tracker.messages import Array, Event
-from tracker.simulation.motion import Motion, Poses
+from tracker.simulation.motion import Poses, SimulatedMotion
 from tracker.simulation.postures import posture
 from tracker.simulation.smooth import SmoothNoise, minimum_jerk, rng_for
 from tracker.simulation.solids import UNOWNED, Solids, capsules
@@ -50,7 +50,7 @@ class PulpParams:
 class _Key:
     """One touch; times s."""
 
-    cue: Cue
+    cue: TouchCue
     on: Touching
     leave: float  # the previous cross
     above: float
@@ -60,7 +60,7 @@ class _Key:
 
 @dataclass(frozen=True, eq=False)
 class _Given:
-    """Poses at instants that are known already: a `Motion` for one call of a wearer."""
+    """Poses at instants that are known already: a `SimulatedMotion` for one call of a wearer."""
 
     given: Poses
     duration: float = 0.0
@@ -102,7 +102,7 @@ class Touches:
             self._centre[finger] = np.array([length - radius, 0.0, 0.0]) + own
             self._radius[finger] = radius - abs(rng.normal(p.flattened, p.flattened_sd))
 
-    def touch(self, cue: Cue) -> Touching:
+    def touch(self, cue: TouchCue) -> Touching:
         """A touch of the cross that ``cue`` asks for."""
         miss = np.append(self._rng.normal(0, self.params.aim, 2), 0.0)
         contact = self.sheet.target(BY_NAME[cue.target].p_S) + self.sheet.R_GS @ miss
@@ -113,7 +113,7 @@ class Touches:
         """(n, 3) m: where the dorsum is while the pulp's lowest point is at ``contact`` (n, 3)."""
         return contact - self._contact(finger, t, angles, R, np.zeros((len(t), 3)))
 
-    def _reach(self, cue: Cue) -> tuple[Array, Array]:
+    def _reach(self, cue: TouchCue) -> tuple[Array, Array]:
         """Posture (J,) and R_GB of the hand that has the pulp of the finger on the paper."""
         rng, p, hand = self._rng, self.params, self.wearer.hand
         angles = posture(hand, _POSTURE[cue.finger])
@@ -137,7 +137,7 @@ class Touches:
 
 
 class TouchMotion:
-    """Moves freely for ``lead`` s as ``before``, then carries out the touches: a `Motion`."""
+    """Moves freely for ``lead`` s as ``before``, then carries out the touches."""
 
     follows_synergies = True
 
@@ -145,8 +145,8 @@ class TouchMotion:
         self,
         wearer: Wearer,
         sheet: SheetPlace,
-        cues: Sequence[Cue],
-        before: Motion,
+        cues: Sequence[TouchCue],
+        before: SimulatedMotion,
         seed: int,
         params: PulpParams | None = None,
     ) -> None:
@@ -171,7 +171,7 @@ class TouchMotion:
             out += [began(c.cue, c.begin), ended(c.cue, c.end)]
         return out
 
-    def _add(self, cue: Cue, t: float) -> float:
+    def _add(self, cue: TouchCue, t: float) -> float:
         """Append the touch of ``cue``, asked for at ``t``; returns its end."""
         leave = t + self._rng.uniform(0.15, 0.4)
         gone = AWAY + 1.6 if cue.how == "away" else 0.0
@@ -235,7 +235,7 @@ class TouchMotion:
         return self._touches.root(key.cue.finger, t, angles, R, path)
 
 
-class OtherHand:
+class OtherHandFinger:
     """A finger of the other hand, an `Extra`: hides markers of the dorsum during some touches."""
 
     def __init__(self, hand: HandModel, cued: Sequence[Cued]) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from extensions.touch.pose import SheetPose
-from extensions.touch.protocol import Cue, cues_of, ruler_of, touches
+from extensions.touch.protocol import TouchCue, cues_of, ruler_of, touches
 from extensions.touch.sheet import BY_NAME
 from extensions.touch.window.view_model import AFTER, AWAY, HELD, TouchPhase, TouchRun, cue_words
 from tracker.messages import Event
@@ -57,7 +57,7 @@ def test_a_touch_counts_after_its_rest_on_the_right_cross() -> None:
 
 def test_one_rest_does_not_count_twice() -> None:
     session = Session()
-    cues = [Cue(1, "touch", "index", "3", "slow"), Cue(2, "touch", "index", "3", "fast")]
+    cues = [TouchCue(1, "touch", "index", "3", "slow"), TouchCue(2, "touch", "index", "3", "fast")]
     run = TouchRun(session.note, cues)
     run.start(0.0, POSE, 0.26)
     t = rest(run, 0.0, on("3"), 4.0)
@@ -69,7 +69,7 @@ def test_one_rest_does_not_count_twice() -> None:
 
 def test_away_waits_five_seconds() -> None:
     session = Session()
-    run = TouchRun(session.note, [Cue(1, "touch", "index", "3", "away")])
+    run = TouchRun(session.note, [TouchCue(1, "touch", "index", "3", "away")])
     run.start(0.0, POSE, 0.26)
     rest(run, 0.0, on("3"), AWAY - 0.5)
     assert run.number == 0

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from extensions.touch.pose import SheetPose, find_sheet
-from extensions.touch.protocol import Cue, cues_of, touches
+from extensions.touch.protocol import TouchCue, cues_of, touches
 from extensions.touch.rest import find_touches
 from extensions.touch.simulated.images import placed_sheet
 from extensions.touch.simulated.live import Follower
@@ -92,11 +92,11 @@ def test_each_touch_is_on_its_cross_and_found_by_its_cue(demo) -> None:
 def test_a_cue_without_a_touch_moves_the_hand_too(demo) -> None:
     sim, _ = demo
     follower = Follower()
-    for cue in (Cue(25, "pinch"), Cue(26, "still")):
+    for cue in (TouchCue(25, "pinch"), TouchCue(26, "still")):
         plan = partial(follower.cue, cue)
         requests = plan(sim, 10.0)
         assert requests and all(len(r.place) == 12 for r in requests)
-    assert len(follower.cue(Cue(25, "pinch"), sim, 10.0)) == 40
+    assert len(follower.cue(TouchCue(25, "pinch"), sim, 10.0)) == 40
 
 
 def test_simulated_sessions_show_the_sheet_and_their_camera_must_not_move(tmp_path) -> None:

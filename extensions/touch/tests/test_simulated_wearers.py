@@ -8,14 +8,14 @@ import pytest
 from extensions.touch.protocol import FINGERS, touches
 from extensions.touch.sheet import BY_NAME
 from extensions.touch.simulated.command import summary, table
-from extensions.touch.simulated.trial import FingerFigures, Trial, WearerFigures, figures
+from extensions.touch.simulated.trial import FingerFigures, SimulatedTrial, WearerFigures, figures
 from tracker.messages import Calibration
 
 
 def test_the_pulp_rests_on_the_cross_that_was_asked_for() -> None:
     """The middle of the round end is a radius above the cross, less what the pulp gives way; aim,
     pulp and tremor move it by some 0.8 mm per axis (SD)."""
-    trial = Trial(5, lead=1.0)
+    trial = SimulatedTrial(5, lead=1.0)
     wearer = trial.sim.wearer
     for cued in trial.motion.cued:
         segment = trial.hand.index[f"{cued.cue.finger}_distal"]
@@ -29,7 +29,7 @@ def test_the_pulp_rests_on_the_cross_that_was_asked_for() -> None:
 
 def test_the_movement_has_no_jumps() -> None:
     """Faster than 3 m/s no wearer moves; a jump between two samples would be."""
-    trial = Trial(6, lead=1.0)
+    trial = SimulatedTrial(6, lead=1.0)
     t = np.arange(0.0, trial.motion.duration, 0.01)
     p_GB = trial.motion.poses(t).p_GB
     assert np.abs(np.diff(p_GB, axis=0)).max() / 0.01 < 3.0
@@ -39,7 +39,7 @@ def test_the_engine_s_error_is_found_on_a_short_test() -> None:
     """Four touches of the index finger, tracked by the default engine: the bias found is within
     1 mm per axis of the true one (pulp 0.4 mm, aim 0.6 / √4 mm, ruler 0.3 mm: SD 0.6 mm)."""
     cues = [c for c in touches() if c.finger == "index"][:4]
-    trial = Trial(1, cues=cues, lead=3.0)
+    trial = SimulatedTrial(1, cues=cues, lead=3.0)
     estimates, calibration = trial.track()
     assert isinstance(calibration, Calibration)
     found = figures(trial, estimates, calibration)

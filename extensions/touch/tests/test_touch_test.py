@@ -13,8 +13,8 @@ from extensions.touch.analyse import analyse
 from extensions.touch.lengths import pinch_closure, stillness
 from extensions.touch.protocol import (
     FINGERS,
-    Cue,
     Cued,
+    TouchCue,
     began,
     cues_of,
     ended,
@@ -26,7 +26,7 @@ from extensions.touch.protocol import (
 from extensions.touch.result import TouchResult
 from extensions.touch.simulated.known import KnownTracker
 from extensions.touch.simulated.session import write_session
-from extensions.touch.simulated.trial import Fault, Trial
+from extensions.touch.simulated.trial import Fault, SimulatedTrial
 from extensions.touch.statistics import agreement_limits, bootstrap, sd_interval, share_interval
 from extensions.touch.track import TipTrack
 from tracker.base.errors import ConfigError
@@ -37,7 +37,7 @@ SD = 0.002
 
 
 def known(seed: int, fault: Fault | None = None, claimed: float = SD) -> KnownTracker:
-    return KnownTracker(Trial(seed, fault, lead=1.0), BIAS, SD, claimed)
+    return KnownTracker(SimulatedTrial(seed, fault, lead=1.0), BIAS, SD, claimed)
 
 
 @pytest.fixture(scope="module")
@@ -117,7 +117,10 @@ def test_repeatability_over_wearings(tmp_path: Path, capsys) -> None:
     rng, sd_wearing, names = np.random.default_rng(7), 0.003, []
     for k in range(4):
         tracker = KnownTracker(
-            Trial(5, lead=1.0), {f: rng.normal(0, sd_wearing, 3).tolist() for f in FINGERS}, SD, SD
+            SimulatedTrial(5, lead=1.0),
+            {f: rng.normal(0, sd_wearing, 3).tolist() for f in FINGERS},
+            SD,
+            SD,
         )
         tracker.noise = rng.normal(0, SD, tracker.noise.shape)
         names.append(tmp_path / f"wearing{k}.mcap")
@@ -210,12 +213,12 @@ def test_pinches_and_stillness_of_known_movements() -> None:
     gap = 0.0035 + 0.03 * (1 - np.cos(2 * np.pi * t)) / 2
     index = np.column_stack([gap, np.zeros(len(t)), np.zeros(len(t))])
     tracks = {"thumb": still_track(t, np.zeros((len(t), 3))), "index": still_track(t, index)}
-    cued = [Cued(Cue(25, "pinch"), 0.5, 19.6)]
+    cued = [Cued(TouchCue(25, "pinch"), 0.5, 19.6)]
     closure = pinch_closure(tracks, cued, {})
     assert closure is not None and closure.count == 19
     assert closure.gap.value == pytest.approx(0.0035, abs=2e-4) and closure.sd.value < 2e-4
     noise = np.random.default_rng(1).normal(0, 0.0007, (len(t), 3))
-    still = stillness({"index": still_track(t, noise)}, [Cued(Cue(26, "still"), 5.0, 15.0)])
+    still = stillness({"index": still_track(t, noise)}, [Cued(TouchCue(26, "still"), 5.0, 15.0)])
     assert still[0].noise == pytest.approx(0.0007, rel=0.05)
     assert still[0].jitter == pytest.approx(0.0007, rel=0.05)
     assert still[0].seconds == pytest.approx(10.0, abs=0.05)

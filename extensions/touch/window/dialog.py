@@ -31,7 +31,7 @@ from app.storage.settings import SettingsStore, sessions_folder
 from app.viewmodels.recording import RecordingPlan
 from app.words import error_text
 from extensions.touch.pose import SheetPose, find_sheet
-from extensions.touch.protocol import Cue
+from extensions.touch.protocol import TouchCue
 from extensions.touch.window.job import Written, touch_job
 from extensions.touch.window.view_model import TouchPhase, TouchRun, cue_words
 from tracker.base.clock import monotonic
@@ -64,7 +64,7 @@ class TouchDialog(QDialog):
         self._take: Path | None = None
         self._clock = 0.0  # s, of the last estimate that was judged
         self._follower: Follower | None = None  # of a simulated wearer
-        self._followed: Cue | None = None
+        self._followed: TouchCue | None = None
         self.run = TouchRun(host.notes.add)
         self.setWindowTitle(self.tr("Touch test"))
         self.setObjectName("touch_test")

@@ -14,7 +14,7 @@ import numpy as np
 
 from app.words import mark, tr
 from extensions.touch.pose import SheetPose
-from extensions.touch.protocol import STILL, Cue, began, ended, protocol, ruler
+from extensions.touch.protocol import STILL, TouchCue, began, ended, protocol, ruler
 from extensions.touch.sheet import BY_NAME
 from tracker.messages import Array, Event
 
@@ -51,7 +51,7 @@ class TouchRun:
     ``note`` records the cues. ``done`` are the numbers of cues that were carried out.
     """
 
-    def __init__(self, note: Note, cues: Sequence[Cue] | None = None) -> None:
+    def __init__(self, note: Note, cues: Sequence[TouchCue] | None = None) -> None:
         self._note = note
         self.cues = tuple(protocol() if cues is None else cues)
         self.phase = TouchPhase.WAITING
@@ -65,7 +65,7 @@ class TouchRun:
         self._touched = float("inf")
 
     @property
-    def cue(self) -> Cue:
+    def cue(self) -> TouchCue:
         """The current cue; the last one at the end."""
         return self.cues[min(self.number, len(self.cues) - 1)]
 
@@ -164,7 +164,7 @@ class TouchRun:
         self._note(event.text, event.t, event.data)
 
 
-def cue_words(cue: Cue) -> tuple[str, str]:
+def cue_words(cue: TouchCue) -> tuple[str, str]:
     """What to do, and how."""
     if cue.what == "pinch":
         return tr("Pinch thumb and index finger 20 times"), tr("About once a second.")

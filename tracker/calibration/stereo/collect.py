@@ -21,7 +21,7 @@ class CollectParams:
     most: int = 60
 
 
-class Answer(Enum):
+class ExposureResult(Enum):
     """The result for an exposure."""
 
     TAKEN = "taken"
@@ -39,20 +39,20 @@ class Collector:
         self.views: list[StereoView] = []
         self._last: StereoView | None = None
 
-    def offer(self, look: BoardLook, live: bool = True) -> Answer:
+    def offer(self, look: BoardLook, live: bool = True) -> ExposureResult:
         """Add the exposure if it is useful; a single image (not ``live``) is always still."""
         view, before = look.view, self._last
         self._last = view
         if view is None:
-            return Answer.ABSENT
+            return ExposureResult.ABSENT
         if len(self.views) >= self.params.most:
-            return Answer.FULL
+            return ExposureResult.FULL
         if live and (before is None or _motion(view, before) > self.params.still_px):
-            return Answer.MOVING
+            return ExposureResult.MOVING
         if any(novelty(view, v, self._width) < self.params.novelty for v in self.views):
-            return Answer.KNOWN
+            return ExposureResult.KNOWN
         self.views.append(view)
-        return Answer.TAKEN
+        return ExposureResult.TAKEN
 
     def remove(self, index: int) -> None:
         """Remove a view."""

@@ -30,7 +30,7 @@ SUFFIXES = (ZED_SUFFIX, ".yml", ".yaml", ".xml", ".json")
 
 
 @dataclass(frozen=True)
-class ImportForm:
+class MissingFacts:
     """Information missing in other programs' files: the images' size and the unit of T in m."""
 
     width: int = 1280
@@ -91,12 +91,12 @@ def rig_text(rig: StereoRig, note: str = "", line_time: float | None = None) -> 
     return calibration_text(cameras.left, cameras.right, cameras.R, cameras.T, note, line_time)
 
 
-def load_rig(path: Path, form: ImportForm | None = None) -> StereoRig:
+def load_rig(path: Path, form: MissingFacts | None = None) -> StereoRig:
     """The rig of a calibration file, checked.
 
     Raises FileError if it cannot be read and ConfigError if it is implausible.
     """
-    form = form or ImportForm()
+    form = form or MissingFacts()
     suffix = path.suffix.lower()
     if suffix == ZED_SUFFIX:
         rig = load_zed(path, form.height, fps=form.fps)
@@ -112,7 +112,7 @@ def load_rig(path: Path, form: ImportForm | None = None) -> StereoRig:
     return rig
 
 
-def _load_opencv(path: Path, form: ImportForm) -> StereoRig:
+def _load_opencv(path: Path, form: MissingFacts) -> StereoRig:
     size, right_size = _size(path), _size(path, "_right")
     width, height = size or (form.width, form.height)
     beside = path.with_name("extrinsics" + path.suffix)

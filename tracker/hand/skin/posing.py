@@ -20,7 +20,7 @@ from tracker.kernels.arrays import IntMatrix, Matrix, Stack, Written
 from tracker.messages import Array
 
 
-class Rest(NamedTuple):
+class RestingSkin(NamedTuple):
     """A skin at the wearer's size: points, normals (V, 3) and bones, shares (V, 4) as in `Skin`; R
     (S, 3, 3), p (S, 3) of its segments in the root."""
 
@@ -32,10 +32,10 @@ class Rest(NamedTuple):
     p: Matrix
 
 
-def rest_of(skin: Skin, hand: HandModel, scale: Array | None = None) -> Rest:
+def rest_of(skin: Skin, hand: HandModel, scale: Array | None = None) -> RestingSkin:
     """The skin of a wearer whose segments are ``scale`` (S, 3) times the file's along each B."""
     contiguous = np.ascontiguousarray
-    bound = Rest(
+    bound = RestingSkin(
         contiguous(skin.points), contiguous(skin.normals), contiguous(skin.bones),
         contiguous(skin.shares), contiguous(skin.bind_R), contiguous(skin.bind_p),
     )  # fmt: skip
@@ -48,7 +48,9 @@ def rest_of(skin: Skin, hand: HandModel, scale: Array | None = None) -> Rest:
 
 
 @kernel(error_model="numpy")
-def scale_skin(bound: Rest, scale: Matrix, R: Stack, p: Matrix, points: Written[Matrix]) -> None:
+def scale_skin(
+    bound: RestingSkin, scale: Matrix, R: Stack, p: Matrix, points: Written[Matrix]
+) -> None:
     """Fill points (V, 3): those of ``bound``, transformed by the blend of the segments scaled by
     ``scale`` (S, 3), at R, p in the root and still in the bind pose."""
     local = np.empty(3)
@@ -70,7 +72,7 @@ def scale_skin(bound: Rest, scale: Matrix, R: Stack, p: Matrix, points: Written[
                 points[v, a] += share * moved
 
 
-def posed(rest: Rest, R_GB: Array, p_GB: Array) -> tuple[Array, Array]:
+def posed(rest: RestingSkin, R_GB: Array, p_GB: Array) -> tuple[Array, Array]:
     """Points (V, 3) m and normals (V, 3) in G, of segments at R_GB (S, 3, 3), p_GB (S, 3) m."""
     points, normals = np.empty_like(rest.points), np.empty_like(rest.normals)
     R, p = np.ascontiguousarray(R_GB, float), np.ascontiguousarray(p_GB, float)
@@ -80,7 +82,7 @@ def posed(rest: Rest, R_GB: Array, p_GB: Array) -> tuple[Array, Array]:
 
 @kernel(error_model="numpy")
 def pose_skin(
-    rest: Rest, R_GB: Stack, p_GB: Matrix, points: Written[Matrix], normals: Written[Matrix]
+    rest: RestingSkin, R_GB: Stack, p_GB: Matrix, points: Written[Matrix], normals: Written[Matrix]
 ) -> None:
     """Fill points and normals (V, 3), in G."""
     real, dual = _dual_quaternions(rest, R_GB, p_GB)
@@ -127,7 +129,7 @@ def _turn(
 
 
 @kernel(error_model="numpy")
-def _dual_quaternions(rest: Rest, R_GB: Stack, p_GB: Matrix) -> tuple[Matrix, Matrix]:
+def _dual_quaternions(rest: RestingSkin, R_GB: Stack, p_GB: Matrix) -> tuple[Matrix, Matrix]:
     """(S, 4) xyzw, real and dual part, of the transformation of each segment from rest to its
     pose."""
     many = len(R_GB)

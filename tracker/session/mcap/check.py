@@ -14,7 +14,7 @@ from tracker.base.errors import FileError
 from tracker.base.notices import failure
 from tracker.session.mcap.chunks import MESSAGE
 from tracker.session.mcap.index import Contents, read_contents, span_records, summary_start
-from tracker.session.mcap.records import Damage, RecordFile
+from tracker.session.mcap.records import Damage, McapFile
 from tracker.session.mcap.spans import Span
 
 _DATA_END = 13  # bytes of the record that ends the data section, with the section's CRC-32
@@ -28,7 +28,7 @@ def index_damage(path: Path, contents: Contents) -> list[Damage]:
     A checksum of the data section is sufficient; without one all records are read, and the summary
     and the message indexes are compared with them.
     """
-    file = RecordFile(path)
+    file = McapFile(path)
     try:
         start = summary_start(file)
         if start <= _DATA_END:
@@ -45,14 +45,14 @@ def index_damage(path: Path, contents: Contents) -> list[Damage]:
         file.close()
 
 
-def _checksum(file: RecordFile, end: int) -> int:
+def _checksum(file: McapFile, end: int) -> int:
     crc = 0
     for at in range(0, end, _BLOCK):
         crc = zlib.crc32(file.at(at, min(_BLOCK, end - at)), crc)
     return crc
 
 
-def _compared(file: RecordFile, contents: Contents) -> list[Damage]:
+def _compared(file: McapFile, contents: Contents) -> list[Damage]:
     found = read_contents(file, scan=True)
     pairs = (
         ("chunks", {s[:4] for s in _all(contents)}, {s[:4] for s in _all(found)}),
@@ -76,7 +76,7 @@ def _fields(records: Mapping[int, object]) -> dict[int, dict[str, object]]:
     return {i: vars(r) for i, r in records.items()}
 
 
-def _message_index_damage(file: RecordFile, span: Span) -> list[Damage]:
+def _message_index_damage(file: McapFile, span: Span) -> list[Damage]:
     """Where the indexes behind a chunk do not name just its messages."""
     if file.record(span.offset)[0] != Opcode.CHUNK:
         return []
@@ -89,7 +89,7 @@ def _message_index_damage(file: RecordFile, span: Span) -> list[Damage]:
     return []
 
 
-def _named(file: RecordFile, at: int) -> _Entries:
+def _named(file: McapFile, at: int) -> _Entries:
     """Returns (log time, offset in the chunk) by channel, from the index records at ``at``."""
     out: _Entries = {}
     while True:
@@ -104,7 +104,7 @@ def _named(file: RecordFile, at: int) -> _Entries:
         at += 9 + length
 
 
-def _there(file: RecordFile, span: Span) -> _Entries:
+def _there(file: McapFile, span: Span) -> _Entries:
     """Returns the same from the chunk itself."""
     out: defaultdict[int, list[tuple[int, int]]] = defaultdict(list)
     at = 0

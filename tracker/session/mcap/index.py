@@ -20,7 +20,7 @@ from mcap.records import Channel, Header, Schema
 from tracker.base.errors import DataError, FileError
 from tracker.base.notices import failure, notice
 from tracker.session.mcap.chunks import MESSAGE, message_records, records, unpacked
-from tracker.session.mcap.records import BAD_RECORD, LATEST, LIMIT, MAGIC, Damage, RecordFile
+from tracker.session.mcap.records import BAD_RECORD, LATEST, LIMIT, MAGIC, Damage, McapFile
 from tracker.session.mcap.spans import LooseMessages, Span, Spans
 
 _CHUNK = struct.Struct("<QQQI")
@@ -52,7 +52,7 @@ class Contents:
             channel = Channel.read(stream)
             self.channels[channel.id] = channel
 
-    def read_header(self, file: RecordFile, offset: int, length: int) -> None:
+    def read_header(self, file: McapFile, offset: int, length: int) -> None:
         try:
             header = Header.read(ReadDataStream(BytesIO(file.body(offset, length))))
         except BAD_RECORD as error:
@@ -60,7 +60,7 @@ class Contents:
         self.profile, self.library = header.profile, header.library
 
 
-def read_contents(file: RecordFile, scan: bool = False) -> Contents:
+def read_contents(file: McapFile, scan: bool = False) -> Contents:
     """Returns the contents of ``file``; ``scan``: read all records even if there is a summary."""
     contents = Contents()
     damage: list[Damage] = []
@@ -74,7 +74,7 @@ def read_contents(file: RecordFile, scan: bool = False) -> Contents:
     return contents
 
 
-def span_records(file: RecordFile, span: Span) -> Iterator[tuple[int, bytes]]:
+def span_records(file: McapFile, span: Span) -> Iterator[tuple[int, bytes]]:
     """(opcode, content) of the records in a span. Raises FileError if it is damaged."""
     opcode, length = file.record(span.offset)
     if opcode not in (Opcode.CHUNK, Opcode.MESSAGE):
@@ -91,21 +91,21 @@ def span_records(file: RecordFile, span: Span) -> Iterator[tuple[int, bytes]]:
         ) from error
 
 
-def _footer(file: RecordFile) -> bytes | None:
+def _footer(file: McapFile) -> bytes | None:
     """The footer record and the magic behind it; None where the file was never finished."""
     tail = file.at(max(file.size - _FOOTER, 0), _FOOTER)
     ends = len(tail) == _FOOTER and tail[-8:] == MAGIC and tail[0] == Opcode.FOOTER
     return tail if ends else None
 
 
-def summary_start(file: RecordFile) -> int:
+def summary_start(file: McapFile) -> int:
     """Returns the offset of the summary according to the footer; 0 without a summary."""
     tail = _footer(file)
     start = 0 if tail is None else struct.unpack("<Q", tail[9:17])[0]
     return start if start <= file.size - _FOOTER else 0
 
 
-def _read_summary(file: RecordFile, contents: Contents) -> bool:
+def _read_summary(file: McapFile, contents: Contents) -> bool:
     """Fills the contents from the summary; returns False without one, or without its index.
 
     Raises an error of `BAD_RECORD` if it is damaged.
@@ -133,7 +133,7 @@ def _read_summary(file: RecordFile, contents: Contents) -> bool:
     return len(contents.spans) > 0 or not any((contents.counts or {}).values())
 
 
-def _read_summary_record(file: RecordFile, contents: Contents, opcode: int, body: bytes) -> None:
+def _read_summary_record(file: McapFile, contents: Contents, opcode: int, body: bytes) -> None:
     if opcode == Opcode.CHUNK_INDEX:
         start, end, offset, length, n = struct.unpack_from("<QQQQI", body)
         if offset + length > file.size or 36 + n > len(body) or end > LATEST:
@@ -153,7 +153,7 @@ def _read_summary_record(file: RecordFile, contents: Contents, opcode: int, body
 class _Scan:
     """A walk over the records from the start as far as they are whole."""
 
-    def __init__(self, file: RecordFile, contents: Contents) -> None:
+    def __init__(self, file: McapFile, contents: Contents) -> None:
         self._file, self._contents = file, contents
         self._loose = LooseMessages(contents.spans)
         self._closed: list[Span] = []  # chunks that were not opened, in the order of the file

@@ -18,7 +18,7 @@ from tracker.base.errors import FileError
 from tracker.base.notices import notice
 from tracker.session.mcap.chunks import MESSAGE
 from tracker.session.mcap.index import read_contents, span_records
-from tracker.session.mcap.records import LATEST, LIMIT, RecordFile
+from tracker.session.mcap.records import LATEST, LIMIT, McapFile
 from tracker.session.mcap.spans import Span
 
 FOREVER = 2**64 - 1
@@ -44,7 +44,7 @@ class McapInput:
     """
 
     def __init__(self, path: Path, scan: bool = False) -> None:
-        self._file = RecordFile(path)
+        self._file = McapFile(path)
         self.path = self._file.path
         self.left_out = LeftOut(self.path)
         try:

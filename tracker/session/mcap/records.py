@@ -37,7 +37,7 @@ class Damage(NamedTuple):
     what: Notice
 
 
-class RecordFile:
+class McapFile:
     """An MCAP file opened for reading. Raises FileError if it is not one."""
 
     def __init__(self, path: Path) -> None:

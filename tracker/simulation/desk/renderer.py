@@ -38,7 +38,7 @@ from tracker.simulation.raster import Buffer, PixelRays, bounds, draw
 from tracker.simulation.row_sampling import band_px, bands_of
 from tracker.simulation.scene import SimulatedScene
 from tracker.simulation.smooth import rng_for
-from tracker.simulation.solids import Instant
+from tracker.simulation.solids import SceneInstant
 from tracker.vision.rig import Camera
 
 Image = NDArray[np.uint8]
@@ -96,7 +96,7 @@ class _Part(NamedTuple):
     """Instants of the shutter with the hand's shadow of the lamp and points around it on the desk,
     and the rows that are exposed then: from ``first`` to before ``end``."""
 
-    moments: list[Instant]
+    moments: list[SceneInstant]
     shadow: CastShadow
     corners: Array
     first: int
@@ -210,7 +210,7 @@ class DeskRenderer:
         moments = moments_of(self.scene, t, p.shutter, min(p.exposures, len(JITTER_PX)), 1)
         return _Part(moments, *self._shadow(moments[len(moments) // 2]), first, end)
 
-    def _shadow(self, now: Instant) -> tuple[CastShadow, Array]:
+    def _shadow(self, now: SceneInstant) -> tuple[CastShadow, Array]:
         """The hand's shadow of the lamp, and points around it on the desk."""
         middle = now.p_CB.mean(axis=0)
         towards = self._lights.place - middle
@@ -309,7 +309,7 @@ class DeskRenderer:
         view.light[v0:v1, u0:u1] = cv2.GaussianBlur(total, (0, 0), self.light.blur_px)
         return _Box(int(u0), int(v0), int(u1), int(v1))
 
-    def _cloth(self, now: Instant) -> Knit:
+    def _cloth(self, now: SceneInstant) -> Knit:
         s = now.solids
         owner = np.concatenate([s.owner, s.box_owner])
         colour = linear(np.concatenate([s.colour, s.box_colour]))

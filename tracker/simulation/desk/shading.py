@@ -20,7 +20,7 @@ from tracker.kernels.arrays import (
 from tracker.simulation.desk.shadow import CastShadow, lit_share
 from tracker.simulation.raster import Buffer, PixelRays
 from tracker.simulation.sewn import SewnPatches, patch_at
-from tracker.simulation.solids import Instant
+from tracker.simulation.solids import SceneInstant
 
 GRAIN_TEXEL = 0.0004  # m
 FELT = 0.4  # grain of felt, relative to the knitted cloth's
@@ -67,7 +67,7 @@ class Surroundings(NamedTuple):
 def shade_knit(
     rays: PixelRays,
     buffer: Buffer,
-    now: Instant,
+    now: SceneInstant,
     knit: Knit,
     patches: SewnPatches,
     around: Surroundings,

@@ -14,7 +14,7 @@ from tracker.messages import Array
 
 
 @dataclass
-class Joint:
+class BvhJoint:
     """``parent`` is a row, -1 for a root; ``offset`` (3,) in the file's unit."""
 
     name: str
@@ -23,7 +23,7 @@ class Joint:
     channels: list[str] = field(default_factory=list)
 
 
-def joint_positions(text: str) -> tuple[list[Joint], Array, Array]:
+def joint_positions(text: str) -> tuple[list[BvhJoint], Array, Array]:
     """Joints, parents first; times (N,) s; positions (N, joints, 3) in the file's unit.
 
     An end site is named ``<parent>.end``. Raises ValueError or IndexError for another text.
@@ -33,20 +33,20 @@ def joint_positions(text: str) -> tuple[list[Joint], Array, Array]:
     return joints, t, _positions(joints, values)
 
 
-def _hierarchy(text: str) -> tuple[list[Joint], str]:
+def _hierarchy(text: str) -> tuple[list[BvhJoint], str]:
     """Joints parents first, End Sites as ``<parent>.end``, and the text of the MOTION part."""
     head, found, motion = text.partition("MOTION")
     if not found or not head.lstrip().startswith("HIERARCHY"):
         raise DataError(notice("data.bvh_parts"))
     words = iter(head.split())
-    joints: list[Joint] = []
+    joints: list[BvhJoint] = []
     stack: list[int] = []
     for word in words:
         if word in ("ROOT", "JOINT"):
-            joints.append(Joint(next(words), stack[-1] if stack else -1, np.zeros(3)))
+            joints.append(BvhJoint(next(words), stack[-1] if stack else -1, np.zeros(3)))
         elif word == "End":
             next(words)
-            joints.append(Joint(joints[stack[-1]].name + ".end", stack[-1], np.zeros(3)))
+            joints.append(BvhJoint(joints[stack[-1]].name + ".end", stack[-1], np.zeros(3)))
         elif word == "{":
             stack.append(len(joints) - 1)
         elif word == "}":
@@ -67,7 +67,7 @@ def _motion(text: str) -> tuple[Array, Array]:
     return period * np.arange(count, dtype=np.float64), values
 
 
-def _positions(joints: list[Joint], values: Array) -> Array:
+def _positions(joints: list[BvhJoint], values: Array) -> Array:
     """(n, joints, 3) by forward kinematics; channels apply left to right, in degrees."""
     n, column = len(values), 0
     if values.shape[1] != sum(len(j.channels) for j in joints):

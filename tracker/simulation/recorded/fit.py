@@ -31,7 +31,7 @@ class SkeletonFitParams:
 
 
 @dataclass(frozen=True, eq=False)
-class Fit:
+class RecordedFit:
     """angles (n, J) rad, R_GB (n, 3, 3), p_GB (n, 3) m of the dorsum in the file's frame, scaled to
     the hand; residual (n, T) m, NaN for missing points."""
 
@@ -41,7 +41,9 @@ class Fit:
     residual: Array
 
 
-def fit_hand(hand: HandModel, track: PointTrack, params: SkeletonFitParams | None = None) -> Fit:
+def fit_hand(
+    hand: HandModel, track: PointTrack, params: SkeletonFitParams | None = None
+) -> RecordedFit:
     """Angles and poses that align the hand's points with the track's, for all frames."""
     p = params or SkeletonFitParams()
     segment, local = _targets(hand, track.targets)
@@ -67,12 +69,14 @@ def _solve(
     points: Array,
     start: tuple[Array, Array, Array],
     p: SkeletonFitParams,
-) -> Fit:
+) -> RecordedFit:
     weights = 1 / np.array([p.point, p.rest, p.change, p.synergy])
     posture = Posture(*(np.ascontiguousarray(x) for x in start))
     points = np.ascontiguousarray(points)
     targets = PointTargets(segment, local)
-    return Fit(*solve_frames(_skeleton(hand), targets, points, posture, weights, p.iterations))
+    return RecordedFit(
+        *solve_frames(_skeleton(hand), targets, points, posture, weights, p.iterations)
+    )
 
 
 def _skeleton(hand: HandModel) -> FittedSkeleton:
@@ -140,7 +144,7 @@ def _place_on_dorsum(hand: HandModel, local: Array, points: Array, R: Array, p: 
 
 
 def _refined(
-    hand: HandModel, fit: Fit, segment: IntArray, points: Array, nominal: Array, keep: float
+    hand: HandModel, fit: RecordedFit, segment: IntArray, points: Array, nominal: Array, keep: float
 ) -> Array:
     """Each point's mean position in its segment over all frames, regularised towards the nominal
     one."""

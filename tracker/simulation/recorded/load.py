@@ -21,8 +21,8 @@ from tracker.hand.model import HandModel
 from tracker.hand.names import FINGERS
 from tracker.messages import Array, CameraPose
 from tracker.simulation.motion import Poses
-from tracker.simulation.recorded.bvh import Joint, joint_positions
-from tracker.simulation.recorded.fit import Fit, fit_hand
+from tracker.simulation.recorded.bvh import BvhJoint, joint_positions
+from tracker.simulation.recorded.fit import RecordedFit, fit_hand
 from tracker.simulation.recorded.track import PointTrack, mirrored, resampled
 from tracker.vision.rig import default_pose
 
@@ -69,7 +69,7 @@ def _low_pass(values: Array, rate_hz: float) -> Array:
 
 def in_working_volume(
     hand: HandModel,
-    fit: Fit,
+    fit: RecordedFit,
     up: Array,
     t: Array,
     camera: CameraPose | None = None,
@@ -125,7 +125,7 @@ def read_bvh(path: Path, text: str) -> PointTrack:
     return PointTrack(t, positions[:, list(rows.values())], tuple(rows), up, side, None)
 
 
-def _hand_rows(joints: list[Joint]) -> tuple[str, dict[str, int]]:
+def _hand_rows(joints: list[BvhJoint]) -> tuple[str, dict[str, int]]:
     """The side, and keypoint name to joint row; the right hand where a file has both."""
     sides = [_side(j.name) for j in joints]
     side = "left" if "left" in sides and "right" not in sides else "right"

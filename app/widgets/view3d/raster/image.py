@@ -21,7 +21,7 @@ from app.widgets.view3d.raster.placing import (
 from app.widgets.view3d.raster.skin import light, surface_colour
 from app.widgets.view3d.raster.surfaces import (
     MORE,
-    Samples,
+    RaySamples,
     Surfaces,
     fill_middle,
     fill_more,
@@ -55,7 +55,7 @@ class Canvas(NamedTuple):
     image: Written[UInt32Matrix]
     backdrop: Written[UInt32Matrix]
     numbers: Written[Int32Matrix]
-    samples: Samples
+    samples: RaySamples
 
 
 class Tiles(NamedTuple):

@@ -6,7 +6,7 @@ import numpy as np
 
 from app.widgets.view3d.raster.placing import Pinhole
 from app.widgets.view3d.raster.surfaces import (
-    Samples,
+    RaySamples,
     Surfaces,
     fill_middle,
     fill_more,
@@ -24,7 +24,7 @@ STEP = 0.008  # m, difference in depth of neighbouring pixels that draws a line 
 def draw_outline(
     surfaces: Surfaces,
     camera: Pinhole,
-    samples: Samples,
+    samples: RaySamples,
     ink: Vector,
     image: Written[UInt32Matrix],
 ) -> None:
@@ -46,7 +46,7 @@ def draw_outline(
 
 @kernel(error_model="numpy")
 def _mark(
-    samples: Samples,
+    samples: RaySamples,
     corner: tuple[int, int],
     columns: int,
     near: Written[BoolMatrix],
@@ -74,7 +74,7 @@ def _mark(
 
 @kernel(error_model="numpy")
 def _draw_tile(
-    samples: Samples,
+    samples: RaySamples,
     near: BoolMatrix,
     top: int,
     left: int,
@@ -92,7 +92,7 @@ def _draw_tile(
 
 
 @kernel(error_model="numpy")
-def _edge(samples: Samples, near: BoolMatrix, v: int, u: int) -> float:
+def _edge(samples: RaySamples, near: BoolMatrix, v: int, u: int) -> float:
     """Share (0..1) of a pixel that the outline covers."""
     inverse = samples.inverse
     low, high, jump = 4, 0, False

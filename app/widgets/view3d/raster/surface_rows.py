@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from app.widgets.view3d.raster.surfaces import NOTHING, Samples, Surfaces
+from app.widgets.view3d.raster.surfaces import NOTHING, RaySamples, Surfaces
 from app.widgets.view3d.shapes import DRESS, Surface
 from tracker.kernels.arrays import BoolVector
 from tracker.messages import Array
@@ -23,7 +23,7 @@ class SurfaceRows:
             np.empty(0, np.int64),
         )
         self._surfaces: list[RasterSurface] = []
-        self._samples = Samples(np.empty((4, 0, 0), np.float32), np.empty((4, 0, 0), np.int32))
+        self._samples = RaySamples(np.empty((4, 0, 0), np.float32), np.empty((4, 0, 0), np.int32))
 
     def add(self, surface: Surface) -> RasterSurface:
         """Append a surface; it is hidden until it is draped."""
@@ -47,13 +47,13 @@ class SurfaceRows:
     def any_shown(self) -> bool:
         return any(surface.shown for surface in self._surfaces)
 
-    def samples(self, height: int, width: int) -> Samples:
+    def samples(self, height: int, width: int) -> RaySamples:
         """Buffers for an image of this size; empty without surfaces."""
         if not len(self.rows.faces):
             height = width = 0
         shape = (4, height, width)
         if self._samples.face.shape != shape:
-            self._samples = Samples(np.empty(shape, np.float32), np.empty(shape, np.int32))
+            self._samples = RaySamples(np.empty(shape, np.float32), np.empty(shape, np.int32))
         return self._samples
 
 

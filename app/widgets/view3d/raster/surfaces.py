@@ -51,7 +51,7 @@ class Surfaces(NamedTuple):
     part: IntVector
 
 
-class Samples(NamedTuple):
+class RaySamples(NamedTuple):
     """For each ray (4, H, W): 1/z of the nearest triangle, 1/m, 0 for none, and its row."""
 
     inverse: Written[Float32Stack]
@@ -93,7 +93,7 @@ def project_surfaces(surfaces: Surfaces, camera: Pinhole) -> Matrix:
 
 @kernel(error_model="numpy")
 def fill_middle(
-    surfaces: Surfaces, seen: Matrix, samples: Samples, touched: Written[BoolVector]
+    surfaces: Surfaces, seen: Matrix, samples: RaySamples, touched: Written[BoolVector]
 ) -> IntMatrix:
     """The nearest triangle at the pixel centres of the tiles touched (T,); samples of other tiles
     are not changed.
@@ -125,7 +125,7 @@ def fill_more(
     boxes: IntMatrix,
     wanted: BoolMatrix,
     tiles: BoolVector,
-    samples: Samples,
+    samples: RaySamples,
 ) -> None:
     """The nearest triangle of `MORE` rays in the pixels ``wanted`` (H, W) of ``tiles`` (T,)."""
     columns = (wanted.shape[1] + TILE - 1) // TILE
@@ -146,7 +146,7 @@ def fill_more(
 
 
 @kernel(error_model="numpy", inline="always")
-def _keep_more(g: Plane, f: int, u: int, v: int, samples: Samples) -> None:
+def _keep_more(g: Plane, f: int, u: int, v: int, samples: RaySamples) -> None:
     """Update a pixel's `MORE` rays that intersect triangle f."""
     for m in range(len(MORE)):
         x, y = u + 0.5 + MORE[m][0], v + 0.5 + MORE[m][1]
@@ -207,7 +207,7 @@ def _cut(low: float, high: float, value: float, slope: float) -> tuple[float, fl
 
 @kernel(error_model="numpy")
 def _boxes(
-    surfaces: Surfaces, seen: Matrix, samples: Samples, touched: Written[BoolVector]
+    surfaces: Surfaces, seen: Matrix, samples: RaySamples, touched: Written[BoolVector]
 ) -> IntMatrix:
     """(F, 4) bounding boxes of the triangles in pixels, empty if hidden, behind the camera, facing
     away or outside the image; and the tiles that any may show in."""
@@ -250,7 +250,7 @@ def _any_tile(boxes: IntMatrix, f: int, tiles: BoolVector, columns: int) -> bool
 
 
 @kernel(error_model="numpy")
-def _clear(samples: Samples, touched: BoolVector) -> None:
+def _clear(samples: RaySamples, touched: BoolVector) -> None:
     """Clear the samples of these tiles and of the pixels around them: clearing all samples of a
     large image takes longer than drawing a hand."""
     height, width = samples.inverse.shape[1], samples.inverse.shape[2]
@@ -264,7 +264,7 @@ def _clear(samples: Samples, touched: BoolVector) -> None:
 
 
 @kernel(error_model="numpy")
-def _clear_more(wanted: BoolMatrix, tiles: BoolVector, samples: Samples) -> None:
+def _clear_more(wanted: BoolMatrix, tiles: BoolVector, samples: RaySamples) -> None:
     """Clear the samples of `MORE` rays in the pixels ``wanted``."""
     height, width = wanted.shape
     columns = (width + TILE - 1) // TILE

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.widgets.view3d.raster.surfaces import Samples, Surfaces
+from app.widgets.view3d.raster.surfaces import RaySamples, Surfaces
 from tracker.kernels import kernel
 from tracker.kernels.arrays import (
     IntMatrix,
@@ -46,7 +46,7 @@ class View(NamedTuple):
     backdrop: UInt32Matrix
     surfaces: Surfaces
     seen: Matrix
-    samples: Samples
+    samples: RaySamples
 
 
 class RayBundle(NamedTuple):
