@@ -161,7 +161,7 @@ def test_without_mujoco_the_panel_names_the_package_to_install(window, monkeypat
     window.host.error.connect(errors.append)
     window.host.adopt(scripted_setup(ScriptedEngine()))
     window.panels["robot"].controls.connect_robot.click()
-    assert shows(errors[0], "option.packages", extra="robot")
+    assert shows(errors[0], "robot.needs_mujoco")
     assert not window.panels["robot"].link.on
 
 
