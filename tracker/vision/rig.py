@@ -50,7 +50,12 @@ class Camera:
     @cached_property
     def pixel_to_ray(self) -> Array:
         """(3, 3) from rectified pixels (u, v, 1) to directions of the camera as mounted."""
-        return np.ascontiguousarray(self.R.T @ np.linalg.inv(self.P[:, :3]))
+        return np.ascontiguousarray(self.R.T @ self._inverse)
+
+    @cached_property
+    def _inverse(self) -> Array:
+        """(3, 3) from rectified pixels (u, v, 1) to directions of the rectified camera."""
+        return np.asarray(np.linalg.inv(self.P[:, :3]), np.float64)
 
     def rectify(self, uv: Array) -> Array:
         """Raw pixels (n, 2) to rectified pixels (n, 2)."""
@@ -62,7 +67,7 @@ class Camera:
         """Rectified pixels (n, 2) to raw pixels (n, 2); the inverse of `rectify`."""
         if self.is_rectified or len(uv) == 0:
             return np.array(uv, float).reshape(-1, 2)
-        rays = np.column_stack([uv, np.ones(len(uv))]) @ np.linalg.inv(self.P[:, :3]).T
+        rays = np.column_stack([uv, np.ones(len(uv))]) @ self._inverse.T
         rays = rays @ self.R  # rows: R^T ray
         return distorted(rays, self.K, self.D, self.fisheye)
 
