@@ -7,7 +7,8 @@ import os
 import sys
 import tempfile
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
@@ -15,12 +16,14 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 import cv2
 import numpy as np
 from PySide6.QtGui import QImage
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication, QTreeWidget, QWidget
 
+from app.engines.demo_camera import FPS, DemoChoice
 from app.engines.protocols import RecordingRequest
 from app.engines.snapshot import Snapshot
 from app.storage.settings import SettingsStore
 from app.tools.screenshots_set_up import take_set_up
+from app.widgets.curve_plot import CurvePlot
 from app.window.headless_report import START_TIMEOUT, wait_until
 from app.window.main_window import MainWindow
 from app.window.sources import demo_factory
@@ -32,7 +35,13 @@ CALM_MS = 150.0
 PATIENCE = 40.0  # s for a good moment
 OPEN = 0.126  # m from the wrist to the nearest fingertip
 SHOW_A_HAND = ("hand", "cameras")
-STILL = 1.5  # s for which it stays so, lest it be caught on its way
+STILL = 1.5  # s for which the hand must remain open
+LAID_OUT = 1.0  # s for which a panel must have contents: it makes its plots when first shown
+COVERED = 0.9  # share of a plot's time axis that its curves must cover
+FLOATING = {"graphs": (820, 520), "devices": (640, 480), "openxr": (560, 330)}
+"""Panels that show too little of their contents in their dock, and the size that shows enough."""
+
+Part = CurvePlot | QTreeWidget  # of a panel, which waits for its contents
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -44,7 +53,19 @@ def main(argv: Sequence[str] | None = None) -> int:
         default=Path("docs/screenshots"),
         help="folder for the images (default: docs/screenshots)",
     )
-    out = parser.parse_args(argv).out
+    parser.add_argument(
+        "--panels",
+        default="",
+        help="names of panels, separated by commas, to take no other images (default: all)",
+    )
+    parser.add_argument(
+        "--fps",
+        type=float,
+        default=FPS,
+        help="images per second of the demo's camera; fewer for a slow computer",
+    )
+    options = parser.parse_args(argv)
+    out, panels = options.out, [name for name in options.panels.split(",") if name]
     out.mkdir(parents=True, exist_ok=True)
     app = QApplication.instance() or QApplication(["glovetrack"])
     app.setApplicationName("glovetrack")
@@ -53,19 +74,21 @@ def main(argv: Sequence[str] | None = None) -> int:
         store.update(sessions_folder=folder, job="all")
         window = MainWindow(store)
         try:
-            return _take_all(window, out, Path(folder))
+            return _take_all(window, out, Path(folder), panels, options.fps)
         finally:
             window.close()
 
 
-def _take_all(window: MainWindow, out: Path, folder: Path) -> int:
+def _take_all(
+    window: MainWindow, out: Path, folder: Path, panels: Sequence[str], fps: float
+) -> int:
     window.resize(*SIZE)
     window.show()
-    for name in ("light", "dark"):
+    for name in () if panels else ("light", "dark"):
         window.set_theme(name)
         wait_until(lambda: False, 0.3)
         save(window, out / f"start-{name}.png")
-    window.host.open("demo", demo_factory())
+    window.host.open("demo", demo_factory(DemoChoice(fps=fps)))
     if not wait_until(lambda: window.host.running, START_TIMEOUT):
         print("The demo did not start.")
         return 1
@@ -73,37 +96,85 @@ def _take_all(window: MainWindow, out: Path, folder: Path) -> int:
     wait_until(lambda: False, SETTLE)
     for name in ("light", "dark"):
         window.set_theme(name)
-        _take_panels(window, out, name)
+        _take_panels(window, out, name, panels)
     window.host.shut_down()
-    if not take_set_up(window, out, save):
+    if not panels and not take_set_up(window, out, save):
         print("A set-up page did not finish loading.")
         return 1
     return 0
 
 
-def _take_panels(window: MainWindow, out: Path, name: str) -> None:
-    """The whole window and each dock, while the hand is tracked."""
+def _take_panels(window: MainWindow, out: Path, name: str, panels: Sequence[str]) -> None:
+    """The whole window and each dock, while the hand is tracked; or only ``panels``."""
     window.layouts.reset()
-    _wait_for_hand(window, spread=True)
-    save(window, out / f"window-{name}.png")
-    for panel, dock in window.docks.items():
+    if not panels:
+        _wait_for_hand(window, spread=True)
+        save(window, out / f"window-{name}.png")
+    for panel in panels or window.docks:
+        dock = window.docks[panel]
         dock.raise_()
+        if panel in FLOATING:
+            dock.setFloating(True)
+            dock.resize(*FLOATING[panel])
+        if not _wait_until_it_lasts(partial(has_contents, window.panels[panel]), LAID_OUT):
+            print(f"The panel {panel} has empty plots or lists.")
         _wait_for_hand(window, spread=panel in SHOW_A_HAND)
         save(dock, out / f"{panel}-{name}.png")
+        dock.setFloating(False)
+
+
+def has_contents(panel: QWidget) -> bool:
+    """Whether curves fill the plots that are in sight, and the trees in sight have items.
+
+    A panel begins to collect data when it is first shown, and lays out its plots after that.
+    """
+    found: list[Part] = [*panel.findChildren(CurvePlot), *panel.findChildren(QTreeWidget)]
+    parts = [part for part in found if part.isVisibleTo(panel)]
+    seen = [part for part in parts if _is_in_sight(part)]
+    return (
+        not panel.visibleRegion().isEmpty()
+        and bool(seen) == bool(parts)
+        and all(map(_is_filled, seen))
+    )
+
+
+def _is_in_sight(part: Part) -> bool:
+    """Whether any of it is visible: not hidden, nor scrolled out of sight."""
+    view = part.plot if isinstance(part, CurvePlot) else part
+    return not view.viewport().visibleRegion().isEmpty()
+
+
+def _is_filled(part: Part) -> bool:
+    """Whether a tree has items, or each curve of a plot covers `COVERED` of its time axis."""
+    if isinstance(part, QTreeWidget):
+        return part.topLevelItemCount() > 0
+    begin, end = part.plot.viewRange()[0]
+    covered = [
+        float(np.ptp(t)) if (t := curve.xData) is not None and len(t) else 0.0
+        for curve in part.curves
+        if curve.isVisible()
+    ]
+    return bool(covered) and min(covered) > COVERED * (end - begin)
+
+
+def _wait_until_it_lasts(done: Callable[[], bool], duration: float) -> bool:
+    """Wait until ``done()`` has held for ``duration`` s, at most `PATIENCE`; returns whether it
+    did."""
+    since = time.monotonic()
+
+    def lasted() -> bool:
+        nonlocal since
+        if not done():
+            since = time.monotonic()
+        return time.monotonic() - since > duration
+
+    return wait_until(lasted, PATIENCE)
 
 
 def _wait_for_hand(window: MainWindow, spread: bool) -> None:
     """Let the panels refresh, then wait for a tracked hand, spread or not (`PATIENCE` at most)."""
     wait_until(lambda: False, 0.7)
-    since = time.monotonic()
-
-    def ready() -> bool:
-        nonlocal since
-        if not _is_good(window.host.snapshot(), spread):
-            since = time.monotonic()
-        return time.monotonic() - since > (STILL if spread else 0.0)
-
-    wait_until(ready, PATIENCE)
+    _wait_until_it_lasts(lambda: _is_good(window.host.snapshot(), spread), STILL if spread else 0.0)
     window.hand.look_from("back")
     wait_until(lambda: False, 0.2)
 
@@ -126,12 +197,12 @@ def _is_open(view: Snapshot) -> bool:
 
 
 def save(widget: QWidget, path: Path) -> None:
-    """A PNG of 256 colours' worth of bytes: the repository holds these files."""
+    """Write a small PNG, without the noise of the simulated images: Git stores every version."""
     image = widget.grab().toImage().convertToFormat(QImage.Format.Format_BGR888)
     width, height = image.width(), image.height()
     rows = np.frombuffer(image.constBits(), np.uint8).reshape(height, image.bytesPerLine())
     pixels = rows[:, : 3 * width].reshape(height, width, 3)
-    # The two lowest bits hold the simulated camera's noise, which no PNG can pack.
+    # The two lowest bits are mostly noise of the simulated camera, which PNG cannot compress.
     cv2.imwrite(str(path), pixels & 0xFC, [cv2.IMWRITE_PNG_COMPRESSION, 9])
 
 
