@@ -124,13 +124,13 @@ def _take_panels(window: MainWindow, out: Path, name: str, panels: Sequence[str]
 
 
 def has_contents(panel: QWidget) -> bool:
-    """Whether curves fill the plots that are in sight, and the trees in sight have items.
+    """Whether curves fill the visible plots, and the visible trees have items.
 
     A panel begins to collect data when it is first shown, and lays out its plots after that.
     """
     found: list[Part] = [*panel.findChildren(CurvePlot), *panel.findChildren(QTreeWidget)]
     parts = [part for part in found if part.isVisibleTo(panel)]
-    seen = [part for part in parts if _is_in_sight(part)]
+    seen = [part for part in parts if _is_visible(part)]
     return (
         not panel.visibleRegion().isEmpty()
         and bool(seen) == bool(parts)
@@ -138,8 +138,8 @@ def has_contents(panel: QWidget) -> bool:
     )
 
 
-def _is_in_sight(part: Part) -> bool:
-    """Whether any of it is visible: not hidden, nor scrolled out of sight."""
+def _is_visible(part: Part) -> bool:
+    """Whether any of it is visible: neither hidden nor scrolled out of view."""
     view = part.plot if isinstance(part, CurvePlot) else part
     return not view.viewport().visibleRegion().isEmpty()
 
