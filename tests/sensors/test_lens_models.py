@@ -23,6 +23,7 @@ from tracker.calibration.stereo.views import StereoView
 from tracker.messages import Array
 from tracker.sensors.stereo_calibration import Intrinsics, rectified_rig, rig_of_one
 from tracker.session.ros.sensors import pack_camera_info, unpack_camera_info
+from tracker.vision.lens_models import distorted
 from tracker.vision.rig import StereoRig
 
 K = np.array([[520.0, 0.0, 641.0], [0.0, 523.0, 357.0], [0.0, 0.0, 1.0]])
@@ -62,6 +63,13 @@ def assert_triangulates(rig: StereoRig, left: Intrinsics, right: Intrinsics) -> 
     found = rig.triangulate(rig.left.rectify(uv[0]), rig.right.rectify(uv[1]))
     assert np.abs(found - points @ rig.left.R.T).max() < 1e-6
     np.testing.assert_allclose(rig.left.unrectify(rig.left.rectify(uv[0])), uv[0], atol=1e-4)
+
+
+@pytest.mark.parametrize("name", LENSES)
+def test_images_are_those_of_opencv(name: str) -> None:
+    camera, points = lens(name), points_L()
+    found = distorted(points, camera.K, camera.D, camera.fisheye)
+    np.testing.assert_allclose(found, seen(points, camera, np.eye(3), np.zeros(3)), atol=1e-9)
 
 
 @pytest.mark.parametrize("name", LENSES)

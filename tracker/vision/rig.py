@@ -16,9 +16,9 @@ from tracker.base.clock import nanoseconds, seconds
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 from tracker.kernels import kernel
-from tracker.kernels.arrays import Matrix
+from tracker.kernels.arrays import Matrix, Stack
 from tracker.messages import Array, CameraPose
-from tracker.vision.lens_models import distorted, undistorted
+from tracker.vision.lens_models import Lens, pixel_of, undistorted
 
 LONGEST_READOUT = 0.1  # s, from the first row of an image to the last
 NEAREST = 0.01  # m in front of the camera, minimum depth for projection
@@ -67,9 +67,33 @@ class Camera:
         """Rectified pixels (n, 2) to raw pixels (n, 2); the inverse of `rectify`."""
         if self.is_rectified or len(uv) == 0:
             return np.array(uv, float).reshape(-1, 2)
-        rays = np.column_stack([uv, np.ones(len(uv))]) @ self._inverse.T
-        rays = rays @ self.R  # rows: R^T ray
-        return distorted(rays, self.K, self.D, self.fisheye)
+        return raw_pixels(np.ascontiguousarray(uv, float), self.optics)
+
+    @cached_property
+    def optics(self) -> Optics:
+        """The camera for kernels."""
+        lens = Lens.of(self.K, self.D, self.fisheye)
+        return Optics(self.pixel_to_ray, lens, self.is_rectified, self.height)
+
+
+class Optics(NamedTuple):
+    """A camera for kernels: `Camera.pixel_to_ray`, its lens, whether raw pixels are rectified
+    pixels, and its rows."""
+
+    pixel_to_ray: Matrix
+    lens: Lens
+    is_rectified: bool
+    height: int
+
+
+class Readout(NamedTuple):
+    """When the rows of both cameras are exposed: the cameras, and the delay of each row after the
+    row above it, s."""
+
+    left: Optics
+    right: Optics
+    left_row: float
+    right_row: float
 
 
 class StereoIntrinsics(NamedTuple):
@@ -146,15 +170,13 @@ class StereoRig:
     def row_delays(self, uv: Array) -> Array:
         """(2, n) s by which the rows of rectified pixels uv (2, n, 2) are exposed after the middle
         row, whose instant is that of the image. Rows outside the image count as its edge."""
-        out = np.zeros(uv.shape[:2])
-        if self.line_time == 0.0:
-            return out
-        for c, camera in enumerate((self.left, self.right)):
-            seen = np.flatnonzero(np.isfinite(uv[c]).all(axis=1))
-            row = np.clip(camera.unrectify(uv[c, seen])[:, 1], 0, camera.height - 1)
-            per_row = self.line_time * self.left.height / camera.height
-            out[c, seen] = (row - (camera.height - 1) / 2) * per_row
-        return out
+        return row_delays(np.ascontiguousarray(uv, float), self.rows)
+
+    @cached_property
+    def rows(self) -> Readout:
+        """When rows are exposed, for kernels."""
+        right = self.line_time * self.left.height / self.right.height
+        return Readout(self.left.optics, self.right.optics, self.line_time, right)
 
     def project(self, p_C: Array, right: bool = False) -> Array:
         """Points (…, 3) of C to rectified pixels (…, 2). NaN for points not in front (z < 1 cm)."""
@@ -167,6 +189,47 @@ class StereoRig:
     def triangulate(self, left: Array, right: Array) -> Array:
         """Rectified pixel pairs (n, 2), (n, 2) to points (n, 3) of C; NaN where disparity ≤ 0."""
         return triangulated(left, right, self.baseline, self.fx, self.fy, self.cx, self.cy)
+
+
+@kernel(nogil=False)
+def raw_pixels(uv: Matrix, camera: Optics) -> Matrix:
+    """(n, 2) raw pixels of rectified pixels uv (n, 2)."""
+    out = np.empty_like(uv)
+    for k in range(len(uv)):
+        out[k] = raw_pixel(uv[k, 0], uv[k, 1], camera)
+    return out
+
+
+@kernel(nogil=False)
+def raw_pixel(u: float, v: float, camera: Optics) -> tuple[float, float]:
+    """The raw pixel of one rectified pixel."""
+    if camera.is_rectified:
+        return u, v
+    to_ray = camera.pixel_to_ray
+    x = to_ray[0, 0] * u + to_ray[0, 1] * v + to_ray[0, 2]
+    y = to_ray[1, 0] * u + to_ray[1, 1] * v + to_ray[1, 2]
+    z = to_ray[2, 0] * u + to_ray[2, 1] * v + to_ray[2, 2]
+    return pixel_of(x, y, z, camera.lens)
+
+
+@kernel(nogil=False)
+def row_delay(u: float, v: float, camera: Optics, per_row: float) -> float:
+    """s by which the row of a rectified pixel is exposed after the middle one; 0 for NaN."""
+    if not (np.isfinite(u) and np.isfinite(v)):
+        return 0.0
+    _, row = raw_pixel(u, v, camera)
+    last = camera.height - 1
+    return (min(max(row, 0.0), last) - last / 2) * per_row
+
+
+@kernel(nogil=False)
+def row_delays(uv: Stack, rows: Readout) -> Matrix:
+    """`StereoRig.row_delays` for rectified pixels uv (2, n, 2)."""
+    out = np.empty((2, uv.shape[1]))
+    for k in range(uv.shape[1]):
+        out[0, k] = row_delay(uv[0, k, 0], uv[0, k, 1], rows.left, rows.left_row)
+        out[1, k] = row_delay(uv[1, k, 0], uv[1, k, 1], rows.right, rows.right_row)
+    return out
 
 
 @kernel(nogil=False)

@@ -21,7 +21,7 @@ from tracker.geometry.kernels import cross3, rotate, rotate_back
 from tracker.kernels import kernel
 from tracker.kernels.arrays import BoolVector, IntVector, Matrix, Stack, Stack4, Vector, Written
 from tracker.messages import Array, BlobFrame, CameraMotion, CameraPose
-from tracker.vision.rig import StereoIntrinsics, StereoRig, projected
+from tracker.vision.rig import Readout, StereoIntrinsics, StereoRig, projected, row_delays
 
 ROUNDS = 3  # a marker at 2 m/s moves on by a tenth of the way that its delay takes it
 
@@ -82,12 +82,7 @@ class Exposed(NamedTuple):
 def exposed(p_C: Matrix, v_C: Matrix, uv: Stack, rig: StereoRig) -> Exposed:
     """Points p_C (n, 3) m that move with v_C (n, 3) m/s against the camera; uv (2, n, 2) px are
     where they are at the image's instant (eq. 65)."""
-    delay = rig.row_delays(uv)
-    for _ in range(ROUNDS):
-        uv = pixels_after(p_C, v_C, delay, rig.intrinsics)
-        delay = rig.row_delays(uv)
-    mean = delay.mean(axis=0)
-    return Exposed(uv, p_C + mean[:, None] * v_C, mean)
+    return Exposed(*exposed_later(p_C, v_C, uv, rig.rows, rig.intrinsics))
 
 
 def marker_velocities(
@@ -147,6 +142,23 @@ def velocities_in(
         camera = exposure.v_GC + cross3(exposure.w_GC, p_G[k] - view.p_GC)
         out[k] = rotate_back(view.R_GC, own - camera)
     return out
+
+
+@kernel(nogil=False)
+def exposed_later(
+    p_C: Matrix, v_C: Matrix, uv: Stack, rows: Readout, camera: StereoIntrinsics
+) -> tuple[Stack, Matrix, Vector]:
+    """`exposed`, as a plain tuple."""
+    delay = row_delays(uv, rows)
+    for _ in range(ROUNDS):
+        uv = pixels_after(p_C, v_C, delay, camera)
+        delay = row_delays(uv, rows)
+    mean, there = np.empty(len(p_C)), np.empty_like(p_C)
+    for k in range(len(p_C)):
+        mean[k] = (delay[0, k] + delay[1, k]) / 2
+        for i in range(3):
+            there[k, i] = p_C[k, i] + mean[k] * v_C[k, i]
+    return uv, there, mean
 
 
 @kernel(nogil=False)
