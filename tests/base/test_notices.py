@@ -7,8 +7,10 @@ import json
 import math
 import pickle
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from string import Formatter
+from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -41,32 +43,56 @@ GERMAN = {
 }
 
 
+class Module(NamedTuple):
+    """The parts of a module that are checked."""
+
+    imports: list[ast.ImportFrom]
+    classes: list[ast.ClassDef]
+    calls: list[ast.Call]
+
+
+def read_module(text: str) -> Module:
+    found = Module([], [], [])
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.Call):
+            found.calls.append(node)
+        elif isinstance(node, ast.ImportFrom):
+            found.imports.append(node)
+        elif isinstance(node, ast.ClassDef):
+            found.classes.append(node)
+    return found
+
+
+@cache
+def modules() -> dict[str, Module]:
+    """Each module of the program, by its path."""
+    return {
+        path.relative_to(ROOT).as_posix(): read_module(path.read_text("utf-8"))
+        for folder in ("tracker", "app", "extensions", "glovetrack")
+        for path in sorted((ROOT / folder).rglob("*.py"))
+        if "/tests/" not in path.as_posix()
+    }
+
+
 def emitted() -> Iterator[tuple[str, str, set[str] | None]]:
     """File position, code and names of the values of each notice created in the code; None where
     these are passed as a mapping."""
-    for folder in ("tracker", "app", "extensions", "glovetrack"):
-        for path in sorted((ROOT / folder).rglob("*.py")):
-            if "/tests/" in path.as_posix():
-                continue
-            tree = ast.parse(path.read_text("utf-8"))
-            makers = makers_in(tree)
-            for node in ast.walk(tree):
-                if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Name):
-                    continue
-                if node.func.id in makers:
-                    names = {k.arg for k in node.keywords}
-                    where = f"{path.relative_to(ROOT)}:{node.lineno}"
-                    known = None if None in names else {str(name) for name in names}
-                    for code in codes_in(node.args[0]):
-                        yield where, code, known
+    for path, module in modules().items():
+        makers = makers_in(module)
+        for call in module.calls:
+            if isinstance(call.func, ast.Name) and call.func.id in makers:
+                names = {k.arg for k in call.keywords}
+                known = None if None in names else {str(name) for name in names}
+                for code in codes_in(call.args[0]):
+                    yield f"{path}:{call.lineno}", code, known
 
 
-def makers_in(tree: ast.Module) -> set[str]:
+def makers_in(module: Module) -> set[str]:
     """Those of `MAKERS` that a module imports; others have functions of the same name."""
     return {
         alias.name
-        for node in ast.walk(tree)
-        if isinstance(node, ast.ImportFrom) and node.module == "tracker.base.notices"
+        for node in module.imports
+        if node.module == "tracker.base.notices"
         for alias in node.names
         if alias.name in MAKERS
     }
@@ -82,6 +108,66 @@ def codes_in(node: ast.expr) -> list[str]:
 
 def placeholders(template: str) -> set[str]:
     return {name for _, name, _, _ in Formatter().parse(template) if name is not None}
+
+
+def name_of(function: ast.expr) -> str:
+    """The last part of ``a.b.name``; empty for other expressions."""
+    if isinstance(function, ast.Attribute):
+        return function.attr
+    return function.id if isinstance(function, ast.Name) else ""
+
+
+def error_classes() -> set[str]:
+    """The errors that carry a notice, and all classes derived from them."""
+    bases = {c.name: set(map(name_of, c.bases)) for m in modules().values() for c in m.classes}
+    found = {"GlovetrackError", "DataError"}
+    while more := {name for name, those in bases.items() if those & found} - found:
+        found |= more
+    return found
+
+
+def sentences_in(module: Module, errors: set[str]) -> list[str]:
+    """Calls that make an error of a sentence, or put a translated sentence into a notice."""
+    made = [call for call in module.calls if name_of(call.func) in errors and call.args]
+    wrong = [call for call in made if is_sentence(call.args[0])]
+    for call in module.calls:
+        if name_of(call.func) in MAKERS:
+            parts = [part for k in call.keywords for part in ast.walk(k.value)]
+            wrong += [call] if any(map(is_translated, parts)) else []
+    return [f"{call.lineno}: {ast.unparse(call)}" for call in wrong]
+
+
+def is_sentence(node: ast.AST) -> bool:
+    literal = isinstance(node, ast.Constant) and isinstance(node.value, str)
+    made = isinstance(node, ast.Call) and name_of(node.func) in {"str", "format", "join", "plain"}
+    return literal or made or isinstance(node, ast.JoinedStr | ast.BinOp) or is_translated(node)
+
+
+def is_translated(node: ast.AST) -> bool:
+    return isinstance(node, ast.Call) and name_of(node.func) in {"tr", "translate", "error_text"}
+
+
+def test_errors_carry_notices_rather_than_sentences_of_the_window() -> None:
+    """A sentence that is translated when the error is raised cannot be shown in other languages."""
+    errors = error_classes()
+    assert {"DeviceError", "DiskError", "StreamError", "UsageError"} <= errors
+    wrong = [f"{path}:{w}" for path, m in modules().items() for w in sentences_in(m, errors)]
+    assert wrong == []
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        'raise errors.DeviceError(tr("No glove."))',
+        'raise FileError(self.tr("{} is missing.").format(path))',
+        'raise FileError(f"{path} is missing.")',
+        'raise FileError(notice("file.damaged", file=path, why=tr("It is too short.")))',
+        "error = FileError(str(failed))",
+    ],
+)
+def test_a_sentence_in_an_error_is_found(code: str) -> None:
+    right = 'raise FileError(notice("file.damaged", file=path))\n'
+    assert len(sentences_in(read_module(right + code), {"DeviceError", "FileError"})) == 1
 
 
 def test_every_code_in_use_has_a_text_whose_values_are_supplied() -> None:

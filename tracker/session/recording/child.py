@@ -20,7 +20,7 @@ from typing import Any
 
 import cv2
 
-from tracker.base.errors import FileError, GlovetrackError
+from tracker.base.errors import FileError, GlovetrackError, notice_of
 from tracker.session.images import PackedFrame, encode_image
 from tracker.session.recording.image_slots import Image, ImageInSlot, SlotReader, SlotsOpened
 from tracker.session.recording.wire import (
@@ -157,7 +157,7 @@ def _reply(pipe: Connection, what: object) -> None:
 
 
 def _as_glovetrack_error(error: Exception) -> GlovetrackError:
-    return error if isinstance(error, GlovetrackError) else FileError(str(error))
+    return error if isinstance(error, GlovetrackError) else FileError(notice_of(error))
 
 
 class _Recording:
