@@ -72,7 +72,7 @@ PLACE = ApplicationKind("place", "Virtual place", _place, order=30)
 SWARM = ApplicationKind("swarm", "Drone swarm", _swarm, order=40)
 APPS = Command(
     "apps",
-    "run an application of the hand: touch, swarm, arm, place",
+    "run an application that the hand controls: touch, swarm, arm, place",
     run_application,
     add=add_apps,
 )

@@ -56,5 +56,5 @@ BIDS = ExportFormat(
     order=150,
 )
 REPORT = Command(
-    "report", "summarize recordings in one HTML page and one table", report, add=add_report
+    "report", "summarise recordings in one HTML page and one table", report, add=add_report
 )

@@ -33,7 +33,9 @@ def add_import(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--start", default="", metavar="TIME", help="clock time of the reference's start (ISO 8601)"
     )
-    command.add_argument("--no-drift", action="store_true", help="assume clocks of one rate")
+    command.add_argument(
+        "--no-drift", action="store_true", help="assume that both clocks have the same rate"
+    )
     command.add_argument(
         "--register",
         choices=("offsets", "rigid", "none"),

@@ -81,7 +81,7 @@ def add_fingers(parser: argparse.ArgumentParser) -> None:
         "--fingers",
         default="",
         metavar="FINGER=LINK,…|FILE.toml",
-        help="links of the robot's fingertips, if they are not found",
+        help="links of the robot's fingertips (default: found automatically)",
     )
 
 

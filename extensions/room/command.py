@@ -52,7 +52,7 @@ def _align(args: argparse.Namespace) -> None:
 
 
 ROOM = Command[argparse.Namespace](
-    "room", "poses of trackers of other systems on the hands (OptiTrack, SteamVR, VMC)"
+    "room", "align trackers of other systems (OptiTrack, SteamVR, VMC) with the hands"
 )
 ALIGN = Command[argparse.Namespace](
     "room align",

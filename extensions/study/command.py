@@ -133,7 +133,10 @@ def _add_tables(parser: argparse.ArgumentParser) -> None:
         help="track each trial again with the engines chain and vist and with variants of them",
     )
     parser.add_argument(
-        "--variants", default="", metavar="A,B", help="only these variants (list: see the table)"
+        "--variants",
+        default="",
+        metavar="A,B",
+        help="only these variants, by their names in the table",
     )
     parser.add_argument("--processes", type=int, metavar="N", help="default: one per core")
     add_json(parser)
@@ -239,7 +242,9 @@ def _other_extension(name: str) -> Iterator[None]:
         raise ConfigError(failure("study.needs_extension", name=name)) from error
 
 
-STUDY = Command[argparse.Namespace]("study", "studies with several participants, from one file")
+STUDY = Command[argparse.Namespace](
+    "study", "plan, run and evaluate studies with several participants"
+)
 CHECK = Command[argparse.Namespace](
     "study check",
     "check a protocol file and list its participants, trials and duration",
@@ -249,14 +254,14 @@ CHECK = Command[argparse.Namespace](
 )
 RUN = Command[argparse.Namespace](
     "study run",
-    "lead a participant through the trials, and continue where the study stopped",
+    "guide a participant through the trials, and continue where the study stopped",
     _run,
     add=_add_run,
     description=DESCRIPTION,
     opens_window=True,
 )
 STATUS = Command[argparse.Namespace](
-    "study status", "list how far each participant is", _status, add=_add_status
+    "study status", "show the progress of each participant", _status, add=_add_status
 )
 TABLES = Command[argparse.Namespace](
     "study tables",

@@ -19,8 +19,8 @@ def add_touch_test(parser: argparse.ArgumentParser) -> None:
         type=Path,
         nargs="+",
         metavar="SESSION",
-        help="session of a touch test; several of one person, who put the glove on again for each, "
-        "give the repeatability",
+        help="session of a touch test; several of one person, who puts the glove on again for "
+        "each, give the repeatability",
     )
     parser.add_argument(
         "-o",
@@ -28,14 +28,14 @@ def add_touch_test(parser: argparse.ArgumentParser) -> None:
         type=Path,
         required=True,
         metavar="REPORT.html",
-        help="the HTML page; of one session also a PDF file of the same name next to it",
+        help="the HTML page; for one session, a PDF file of the same name is written next to it",
     )
     parser.add_argument(
         "--ruler",
         type=float,
         metavar="MM",
-        help="length of the printed line of 260 mm, measured with a ruler (default: what was "
-        "entered in the window; else the camera's scale is taken to be right)",
+        help="length of the printed line of 260 mm, measured with a ruler (default: the length "
+        "entered in the window; without it, the camera's scale is assumed to be correct)",
     )
     parser.add_argument("--side", default="", help="left or right, of a session of both hands")
     add_json(parser)

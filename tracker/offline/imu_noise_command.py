@@ -22,10 +22,10 @@ def _add(parser: argparse.ArgumentParser) -> None:
         "-o", "--out", type=Path, metavar="CSV", help="write the Allan deviations as a table"
     )
     parser.add_argument(
-        "--glove", type=Path, metavar="FILE", help="glove file whose noise is set (with --set)"
+        "--glove", type=Path, metavar="FILE", help="glove file to start from (with --set)"
     )
     parser.add_argument(
-        "--set", type=Path, metavar="OUT", dest="target", help="the glove file with the noise"
+        "--set", type=Path, metavar="OUT", dest="target", help="write a copy of it with the noise"
     )
     add_json(parser)
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 def _add_axes(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
-        "session", type=Path, metavar="SESSION", help="recording of a glove laid in 6 positions"
+        "session", type=Path, metavar="SESSION", help="recording of a glove at rest in 6 positions"
     )
     _add_files(parser)
 
@@ -36,10 +36,10 @@ def _add_drift(parser: argparse.ArgumentParser) -> None:
 
 def _add_files(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
-        "--glove", type=Path, metavar="FILE", help="glove file to be completed (with --set)"
+        "--glove", type=Path, metavar="FILE", help="glove file to start from (with --set)"
     )
     parser.add_argument(
-        "--set", type=Path, metavar="OUT", dest="target", help="the glove file with the result"
+        "--set", type=Path, metavar="OUT", dest="target", help="write a copy of it with the result"
     )
     add_json(parser)
 

@@ -72,5 +72,6 @@ LINE_TIME = Command[argparse.Namespace](
     add=_add,
     description="Tracks the recording with several readout times and finds the one with which "
     "markers are nearest to their predictions, together with the time offset of the camera. Swing "
-    "the hand in all directions in front of the camera for 20 s, as fast as it stays in view.",
+    "the hand in all directions in front of the camera for 20 s, as fast as possible "
+    "without leaving the view.",
 )

@@ -39,7 +39,7 @@ def add_effects(parser: argparse.ArgumentParser) -> None:
         "--seconds", type=float, default=20.0, metavar="S", help="duration of each (default: 20)"
     )
     parser.add_argument(
-        "--short", action="store_true", help="only without any effect and with all of them"
+        "--short", action="store_true", help="track only without errors and with all of them"
     )
     add_trials(parser)
 

@@ -64,7 +64,7 @@ def add_shutter(parser: argparse.ArgumentParser) -> None:
         type=float,
         default=TURNING_DEG,
         metavar="DEG",
-        help="peak rate of the camera in the last row, °/s (default: 200; 0: no such row)",
+        help="peak rate of the camera in the table's last row, °/s (default: 200; 0: no such row)",
     )
     add_trials(parser)
 
