@@ -7,16 +7,20 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tracker.fusion.chain.engine import ChainEngine
+from tracker.fusion.chain.filter import ChainFilter
 from tracker.fusion.chain.kinematics import marker_positions
 from tracker.fusion.chain.layout import ChainLayout
-from tracker.fusion.chain.params import NoiseParams
+from tracker.fusion.chain.params import ChainParams, NoiseParams
 from tracker.fusion.chain.pixels import PixelModel
 from tracker.fusion.chain.row_exposure import RowExposure
 from tracker.fusion.chain.state import ChainState, initial_state, inject
 from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
-from tracker.messages import Array, CameraPose
+from tracker.messages import Array, CameraPose, ImuSample
+from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.scenario import Simulation
 from tracker.vision.rig import StereoRig, ideal_rig, with_readout
 
 READOUT = 0.018  # s
@@ -170,3 +174,31 @@ def test_delays_count_from_the_middle_row_of_the_image_as_recorded() -> None:
     assert not ideal_rig().row_delays(uv).any()
     lost = rig.row_delays(np.full((2, 1, 2), np.nan))
     assert not lost.any()
+
+
+def test_a_hand_found_twice_keeps_a_proper_covariance(
+    hand: HandModel, glove: GloveModel, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Two searches in succession determine the hand's velocity, on which the rows depend: the
+    update has to use the covariance of the state with this velocity."""
+    found: list[Array] = []
+    moving = ChainFilter.moving
+
+    def noted(self: ChainFilter, moved: ChainState, v: Array) -> None:
+        found.append(v)
+        moving(self, moved, v)
+
+    monkeypatch.setattr(ChainFilter, "moving", noted)
+    postures = RandomPostures(hand, 3, duration=2.6)
+    sim = Simulation(hand, glove, postures, 3, fps=30, rig=with_readout(ideal_rig(), READOUT))
+    engine = ChainEngine(hand, glove, sim.rig, ChainParams())
+    for message in sim.feed():
+        if isinstance(message, ImuSample):
+            engine.feed_imu(message)
+            continue
+        if message.t > 1.2 and not found:
+            turn = 9 * message.t  # moved away before each image until it is found twice
+            engine._tracker.state.p += 0.3 * np.array([np.cos(turn), np.sin(turn), 0.0])
+        engine.feed_frame(message)
+        assert np.linalg.eigvalsh(engine._tracker.state.P)[0] > 0
+    assert found

@@ -187,6 +187,8 @@ class ChainTracker:
         v = self._judge.found(image.frame.t, moved.p)
         if v is not None:
             self.filter.moving(moved, v)
+            # rows of a rolling shutter depend on the velocity and its covariance
+            there = self._recognition.look(moved, image)
         self.filter.move(moved)
         return there
 
