@@ -19,6 +19,7 @@ import pytest
 
 from tests.firmware.bootloader import Bootloader
 from tests.notices import shows
+from tracker.base.command import COMMANDS
 from tracker.cli import build_parser, main
 from tracker.messages import Event
 from tracker.session.reader import SessionReader
@@ -27,6 +28,11 @@ ROOT = Path(__file__).parents[2]
 GUIDE = ROOT / "docs" / "guide"
 TUTORIALS = ROOT / "docs" / "tutorials"
 PAGES = sorted([*GUIDE.glob("*.md"), *TUTORIALS.glob("*.md")])
+OTHERS = sorted(
+    {*(ROOT / "docs").rglob("*.md"), *ROOT.glob("extensions/*/docs/*.md"), ROOT / "README.md"}
+    - set(PAGES)
+)
+"""Pages whose commands are only parsed: they need minutes, devices or other programs."""
 BLOCK = re.compile(r"^```(?:sh)?\n(.*?)^```\n|((?:^    .*\n)+)", re.MULTILINE | re.DOTALL)
 INLINE = re.compile(r"`(glovetrack [a-z][^`]*)`")
 PYTHON = re.compile(r"^```python\n(.*?)^```", re.MULTILINE | re.DOTALL)
@@ -56,6 +62,7 @@ ELSEWHERE = {
     "sudo usermod -aG dialout $USER": ("packaging/debian_smoke.sh", "usermod -aG dialout"),
 }
 """Commands that need a minute, longer recordings, gaps or their own system, and their tests."""
+GROUPS = ("colours", "evaluate", "firmware", "openxr", "remote", "room", "study")
 HEAD = "Timestamp (us),Gyroscope X (deg/s),Gyroscope Y (deg/s),Gyroscope Z (deg/s),"
 HEAD += "Accelerometer X (g),Accelerometer Y (g),Accelerometer Z (g)"
 
@@ -177,15 +184,34 @@ def test_extras_that_pages_name_are_the_projects() -> None:
     assert {"streams", "robot"} <= named <= set(project["optional-dependencies"])
 
 
+@pytest.mark.parametrize("page", [p for p in OTHERS if commands(p)], ids=lambda p: p.stem)
+def test_the_commands_of_other_pages_are_accepted(page: Path) -> None:
+    for line in commands(page):
+        program, *words = shlex.split(line, comments=True)
+        words = [word for word in words if word not in ("...", "…")]
+        if program == "glovetrack" and words:
+            build_parser(words).parse_args(words)  # exits where an argument is not known
+
+
 def test_every_option_that_the_text_names_exists(capsys: pytest.CaptureFixture[str]) -> None:
-    installed = [page for page in PAGES if page.stem != "plug-in"]  # whose command is not
+    installed = [p for p in (*PAGES, *OTHERS) if p.stem != "plug-in"]  # whose command is not
     lines = {line for page in installed for line in INLINE.findall(page.read_text("utf-8"))}
-    assert len(lines) > 5
+    assert len(lines) > 60
+    helps: dict[str, str] = {}
     for line in sorted(lines):
         words = line.split()[1:]
-        assert run(f"glovetrack {words[0]} --help") == 0, line
-        help_text = capsys.readouterr().out
-        assert [w for w in words if w.startswith("--") and w not in help_text] == [], line
+        depth = 2 if words[0] in GROUPS and len(words) > 1 and words[1].isalpha() else 1
+        command = " ".join(words[:depth])
+        if command not in helps:
+            assert run(f"glovetrack {command} --help") == 0, line
+            helps[command] = capsys.readouterr().out
+        assert [w for w in words if w.startswith("--") and w not in helps[command]] == [], line
+
+
+def test_all_commands_are_listed() -> None:
+    page = (GUIDE / "README.md").read_text("utf-8")
+    listed = re.findall(r"^\| `glovetrack ([\w-]+)`", page, re.MULTILINE)
+    assert {*listed, "window"} == {name for name in COMMANDS.names() if "." not in name}
 
 
 @pytest.fixture
