@@ -12,6 +12,7 @@ from __future__ import annotations
 import logging
 import time
 from collections.abc import Callable, Sequence
+from typing import NamedTuple
 
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
@@ -23,7 +24,7 @@ from app.viewmodels.recording import duration_text
 from app.viewmodels.states import BAD, WARN
 from app.window.status_bar import StatusBar
 from app.words import tr
-from tracker.messages import Tracking
+from tracker.messages import Shed, Tracking
 
 SPARE = 4.0
 """A panel pauses for this many times the duration of its last refresh: on a loaded machine the
@@ -35,10 +36,22 @@ LOW_LATENCY_SHARE = 0.6
 """Largest share of a processor for the window, painting included, while a motor or a robot waits
 for the hand: tracking shares Python's lock, and constant painting delays every packet. Without such
 a consumer there is no limit."""
-LEAST, LESS, MORE = 0.3, 0.8, 0.01
-"""While images are left out the share shrinks by `LESS` at each update, down to `LEAST`; else it
-grows by `MORE`: it recovers within 20 s and does not oscillate."""
-SLOWEST = 1 / 20  # s between two drawings, whatever the share: the window must not look frozen
+LESS, MORE = 0.8, 0.01
+"""While images are left out the share shrinks by `LESS` at each update; else it grows by `MORE`: it
+recovers within 20 s and does not oscillate."""
+
+
+class Floor(NamedTuple):
+    """What remains to the window of an overloaded computer: its share of a processor, and the
+    longest time between two drawings, s, whatever the share."""
+
+    share: float
+    slowest: float
+
+
+STRAINED = Floor(0.3, 1 / 20)  # the window must not look frozen
+STARVED = Floor(0.1, 1 / 8)
+"""While tracking searches fewer images than arrive, whatever else was given up before."""
 TICK_MS = 16
 STATUS_PERIOD = 0.25  # s
 RATE_OVER_S = 1.0
@@ -111,12 +124,15 @@ class Pace:
 
     def __init__(self) -> None:
         self.share = 1.0
+        self._floor = STRAINED
         self._last = (0.0, 0.0)  # the time of the last drawing, and ``spent`` then
 
-    def look(self, strained: bool) -> None:
-        """Adapt the share, a few times a second; ``strained``: images are left out."""
-        if strained:
-            self.share = max(LEAST, LESS * self.share)
+    def look(self, strained: bool, starved: bool = False) -> None:
+        """Adapt the share, a few times a second; ``strained``: images are left out; ``starved``:
+        on purpose (`Shed.IMAGES`)."""
+        self._floor = STARVED if starved else STRAINED
+        if strained or starved:
+            self.share = max(self._floor.share, LESS * self.share)
         else:
             self.share = min(1.0, self.share + MORE)
 
@@ -124,7 +140,7 @@ class Pace:
         """Whether to draw ``now``; if so, the share is counted from here. ``hurried``: a consumer
         of the hand needs low latency."""
         since, used = now - self._last[0], spent - self._last[1]
-        held = self.share < 1.0 and used > self.share * since and since < SLOWEST
+        held = self.share < 1.0 and used > self.share * since and since < self._floor.slowest
         if held or (hurried and used > LOW_LATENCY_SHARE * since):
             return False
         self._last = now, spent
@@ -230,7 +246,8 @@ class Ticker(QObject):
         statuses = {v.setup.side: v.status for v in hands}
         self._bar.show_hands(statuses, self._host.running, placed, replayed)
         values = view.status.values if view is not None and view.status is not None else {}
-        self._pace.look(view is not None and view.is_strained)
+        starved = view is not None and view.is_strained and view.shed >= Shed.IMAGES
+        self._pace.look(view is not None and view.is_strained, starved)
         unfit = bool(values.get("colours_unfit", 0.0))
         if unfit != self._unfit:
             self._unfit = unfit

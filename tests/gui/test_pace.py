@@ -1,9 +1,10 @@
 """The frame rate of the window: lower under load, never so low that it appears frozen."""
 
 import numpy as np
+import pytest
 
 from app.viewmodels.signal_curves import FIRST_CAPACITY, TimedRows
-from app.window.ticker import LEAST, LOW_LATENCY_SHARE, SLOWEST, Pace
+from app.window.ticker import LOW_LATENCY_SHARE, STARVED, STRAINED, Pace
 
 COST = 0.02  # s of processor time a drawing, at 60 calls a second
 
@@ -31,20 +32,22 @@ def test_load_reduces_the_rate_and_it_is_restored():
     pace = Pace()
     for _ in range(20):
         pace.look(True)
-    assert pace.share == LEAST
+    assert pace.share == STRAINED.share
     _, share = drawings(pace, 10.0, cost=0.01)
-    assert share <= LEAST  # 0.01 s of work in 0.04 s, which is less than `SLOWEST`
+    assert share <= STRAINED.share  # 0.01 s of work in 0.04 s, less than `STRAINED.slowest`
     for _ in range(151):  # four a second: half a minute and more
         pace.look(False)
     assert pace.share == 1.0
 
 
-def test_a_slow_window_is_drawn_at_the_minimum_rate():
+@pytest.mark.parametrize(("starved", "floor"), [(False, STRAINED), (True, STARVED)])
+def test_a_slow_window_is_drawn_at_the_minimum_rate(starved, floor):
+    """The more tracking lacks, the less remains to the window."""
     pace = Pace()
     for _ in range(20):
-        pace.look(True)
+        pace.look(True, starved)
     rate, _ = drawings(pace, 10.0, cost=0.035)
-    assert rate > 0.9 / (SLOWEST + 1 / 60)
+    assert 0.9 / (floor.slowest + 2 / 60 + 0.035) < rate <= 1 / floor.slowest
 
 
 def test_with_a_robot_the_share_is_limited_at_any_rate():
