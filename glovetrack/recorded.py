@@ -18,7 +18,7 @@ from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 from tracker.messages import EYES, Event, StereoFrame
 from tracker.session.export.series import EstimateSeries, recorded_series, series_of
-from tracker.session.notes import standing
+from tracker.session.notes import latest_versions
 from tracker.session.reader import SessionReader
 
 
@@ -117,7 +117,7 @@ class RecordedData(OnlyHand):
     def events(self) -> tuple[RecordedEvent, ...]:
         """Notes in their last wording, and what happened to devices and tracking."""
         found = [m for m in self._file.reader.messages([Event]) if isinstance(m, Event)]
-        out = (RecordedEvent.of(e, self._file.seconds(e.t)) for e in standing(found))
+        out = (RecordedEvent.of(e, self._file.seconds(e.t)) for e in latest_versions(found))
         return tuple(e for e in out if self._file.has(e.t))
 
     def images(self, camera: str = "left") -> Iterator[Image]:

@@ -1,14 +1,14 @@
-"""The build backend: setuptools', but a wheel claims one name.
+"""The build backend: setuptools, with all packages of a wheel under one name.
 
 The public package `glovetrack` is the same in this tree and in a wheel. Its implementation is in
 `app`, `extensions`, `tracker` and `resources` here. Installed under these names they would collide
 with others in a shared environment, so a wheel has them as `glovetrack.app` and so on: the tree is
-copied with that layout, its import statements name the packages by their full names, and
-setuptools makes the wheel of the copy. `README.md` next to this file explains why.
-Nothing else is changed: code must not spell a module's name in a string (`__package__` tells it).
-Compiled kernels in the tree, and with them the compiled OpenXR layer, are included and make it a
-wheel for this kind of machine (`packaging/wheel.sh`); without kernels it is one for every machine.
-An editable install, as the Makefile makes it, does not change the tree.
+copied with that layout, the copy's import statements are changed to the full names, and setuptools
+makes the wheel from the copy. `README.md` next to this file explains why. Nothing else is changed,
+so code must not contain module names in strings (use `__package__`). Compiled kernels in the tree,
+and with them the compiled OpenXR layer, are included and make it a wheel for this platform
+(`packaging/wheel.sh`); without kernels it is a pure Python wheel. An editable install, as the
+Makefile makes it, does not change the tree.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ def build_wheel(
 
 
 def stage(source: Path, target: Path) -> None:
-    """Copy what a wheel is made of, in the layout in which it is installed."""
+    """Copy the content of a wheel, in the layout in which it is installed."""
     for name in ("README.md", "LICENSE"):
         shutil.copy(source / name, target)
     project = (source / "pyproject.toml").read_text("utf-8")
@@ -91,7 +91,7 @@ def stage(source: Path, target: Path) -> None:
     for extension in (target / NAME / "extensions").iterdir():
         for part in NOT_INSTALLED:
             shutil.rmtree(extension / part, ignore_errors=True)
-    for sources in ("src", "simulator"):  # the images are what a user needs
+    for sources in ("src", "simulator"):  # users need the images only
         shutil.rmtree(target / NAME / "resources" / "firmware" / sources)
     shutil.copytree(source / "docs" / "guide", target / NAME / "resources" / "guide")
     for path in (target / NAME).rglob("*.py"):
@@ -99,8 +99,8 @@ def stage(source: Path, target: Path) -> None:
 
 
 def add_compiled(source: Path, target: Path) -> None:
-    """Copy what was compiled for this system: kernels, if there are some for this interpreter, and
-    with them the OpenXR layer if there is one."""
+    """Copy files that were compiled for this system: kernels, if there are some for this
+    interpreter, and with them the OpenXR layer if it was built."""
     if not add_kernels(source, target):
         return
     folder = Path("extensions", "openxr", "layer")
@@ -112,7 +112,7 @@ def add_compiled(source: Path, target: Path) -> None:
 def add_kernels(source: Path, target: Path) -> bool:
     """Copy the library of compiled kernels; False if there is none for this interpreter.
 
-    Kernels are looked up by their full names, which the tables of the copy have as installed.
+    Kernels are looked up by full name, so the tables of the copy contain the installed names.
     """
     here, there = (root / "tracker" / "kernels" for root in (source, target / NAME))
     suffix = sysconfig.get_config_var("EXT_SUFFIX")
@@ -131,7 +131,7 @@ def add_kernels(source: Path, target: Path) -> bool:
 
 
 def add_metadata(target: Path) -> None:
-    """Write the metadata of a staged copy, so that it finds its entry points without a wheel."""
+    """Write the metadata of a staged copy, so that its entry points are found without a wheel."""
     with working_in(str(target)):
         build_meta.prepare_metadata_for_build_wheel(str(target))
 
@@ -197,7 +197,7 @@ def _replace(lines: list[str], node: ast.stmt, old: str, new: str) -> None:
 
 @contextmanager
 def working_in(folder: str) -> Iterator[None]:
-    """setuptools builds the project of the working directory."""
+    """Changes the working directory, whose project setuptools builds."""
     before = Path.cwd()
     os.chdir(folder)
     try:

@@ -1,4 +1,4 @@
-"""A hook of mkdocs: pages of extensions (`extensions/NAME/docs`) beside those of `docs`.
+"""A hook of mkdocs: adds the pages of extensions (`extensions/NAME/docs`) to those of `docs`.
 
 In the tree, a page links to another by its path, so that links work where the files are browsed.
 The site has all pages in one folder, so such links are shortened.
@@ -24,6 +24,6 @@ def on_files(files: Files, config: Any, **_unused: Any) -> Files:
 
 
 def on_page_markdown(markdown: str, page: Any, **_unused: Any) -> str:
-    """Links between the tree's folders become links within the site."""
+    """Change links between folders of the tree to links within the site."""
     depth = page.file.src_uri.count("/")
     return PLACES.sub("../" * depth, markdown)

@@ -1,4 +1,4 @@
-"""Draws resources/icons/glovetrack.png from the SVG beside it."""
+"""Draws resources/icons/glovetrack.png from the SVG next to it."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SIZE = 256  # px
 
 
 def draw(source: Path, target: Path, size: int = SIZE) -> bool:
-    """Render an SVG to a square PNG; whether it was written."""
+    """Render an SVG to a square PNG; returns whether it was written."""
     image = QImage(size, size, QImage.Format.Format_ARGB32)
     image.fill(Qt.GlobalColor.transparent)
     painter = QPainter(image)

@@ -1,10 +1,10 @@
-"""The licences of everything in a bundle, as one text; fails where a part is GPL, AGPL or unknown.
+"""Writes the licences of everything in a bundle; fails if one is GPL, AGPL or unknown.
 
     python packaging/licences.py WORK BUNDLE
 
-``WORK`` has PyInstaller's lists of what went in (its ``.toc`` files), ``BUNDLE`` is the folder
-built from them. Python packages answer by their metadata, the system's libraries by
-``system_licences.toml``.
+``WORK`` contains PyInstaller's lists of contents (``.toc`` files), ``BUNDLE`` is the folder built
+from them. Licences of Python packages are read from their metadata, those of the system's libraries
+from ``system_licences.toml``.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ ICONS_LICENCE = TABLE.parents[1] / "resources" / "icons" / "lucide" / "LICENSE"
 LISTS = ("COLLECT-00.toc", "PYZ-00.toc")
 TEXT_NAME = re.compile(r"^(licen[cs]e|copying|notice)", re.IGNORECASE)
 COPYLEFT = re.compile(r"(?<!L)(?<!Lesser )\bA?GPL|Affero|(?<!Lesser )General Public", re.IGNORECASE)
-# GCC's run-time libraries; the small program by which PyInstaller starts ours.
+# GCC's run-time libraries, and PyInstaller's boot loader.
 FFMPEG = re.compile(rb"lib(?:av|sw)[a-z]+ license: ([ -~]+)")
 """Build options that FFmpeg's libraries report; the GPL is one."""
 EXCEPTION = re.compile(
@@ -34,7 +34,8 @@ EXCEPTION = re.compile(
 
 @dataclass(frozen=True)
 class Part:
-    """Something in the bundle with a licence of its own. ``texts`` are files with its words."""
+    """Something in the bundle with a licence of its own. ``texts`` are files with the licence's
+    text."""
 
     name: str
     version: str
@@ -43,7 +44,7 @@ class Part:
 
 
 def is_allowed(licence: str) -> bool:
-    """Whether an SPDX expression or a classifier leaves a choice that is neither GPL nor AGPL."""
+    """Whether an SPDX expression or a classifier permits a choice that is neither GPL nor AGPL."""
     choices = re.split(r"\s+OR\s+", licence.strip())
     return bool(licence.strip()) and any(_is_free_of_copyleft(c) for c in choices)
 
@@ -54,9 +55,9 @@ def _is_free_of_copyleft(choice: str) -> bool:
 
 
 def licence_of(distribution: Distribution, known: dict[str, str]) -> str:
-    """The expression, else the old field, else the classifiers, else what our table says.
+    """The licence expression, else the old licence field, else the classifiers, else our table.
 
-    Where the old field holds a whole licence's text, its first line says too little.
+    If the old field contains a whole licence, its first line is not sufficient.
     """
     data = distribution.metadata
     field = (data.get("License") or "").strip()
@@ -71,7 +72,7 @@ def licence_of(distribution: Distribution, known: dict[str, str]) -> str:
 
 
 def sources(work: Path) -> set[Path]:
-    """Files that went into the bundle, where they came from."""
+    """The source paths of the bundle's files."""
     found: set[Path] = set()
     for name in LISTS:
         listed = ast.literal_eval((work / name).read_text("utf-8"))
@@ -80,7 +81,7 @@ def sources(work: Path) -> set[Path]:
 
 
 def _entries(node: object) -> Iterator[tuple[str, str, str]]:
-    """(place, file, kind) wherever they stand in PyInstaller's nested lists."""
+    """(destination, source, kind) at any depth of PyInstaller's nested lists."""
     if isinstance(node, tuple) and len(node) == 3 and all(isinstance(x, str) for x in node):
         yield node
     elif isinstance(node, list | tuple):
@@ -102,7 +103,7 @@ def packages(files: set[Path], known: dict[str, str]) -> Iterator[Part]:
 
 
 def libraries(bundle: Path, known: dict[str, str]) -> Iterator[Part]:
-    """The system's libraries, right in the bundle's folder, and those that wheels bring along."""
+    """The system's libraries, directly in the bundle's folder, and those included in wheels."""
     for path in sorted([*bundle.glob("lib*.so*"), *bundle.glob("*.libs/lib*.so*")]):
         if path.is_symlink():  # to a file in a package's folder, where it was listed
             continue
@@ -113,7 +114,7 @@ def libraries(bundle: Path, known: dict[str, str]) -> Iterator[Part]:
 
 
 def refused(parts: Iterable[Part]) -> list[str]:
-    """One sentence for each part that must not be in the bundle."""
+    """One sentence for each part that is not allowed in the bundle."""
     return [
         f"{p.name}: {p.licence or 'its licence is not known'}"
         for p in parts
@@ -122,7 +123,7 @@ def refused(parts: Iterable[Part]) -> list[str]:
 
 
 def as_text(parts: list[Part]) -> str:
-    """The list, then the words of each licence."""
+    """The list, followed by the text of each licence."""
     width = max(len(p.name) + len(p.version) for p in parts) + 1
     lines = ["Glovetrack contains these parts under these licences.", ""]
     lines += [f"{f'{p.name} {p.version}'.rstrip():{width}}  {p.licence}" for p in parts]
@@ -134,7 +135,7 @@ def as_text(parts: list[Part]) -> str:
 
 
 def main(work: Path, bundle: Path) -> int:
-    """Print the list; 1 where a part must not be there."""
+    """Print the list; returns 1 if a part is not allowed."""
     known = tomllib.loads(TABLE.read_text("utf-8"))
     files = sources(work)
     python = Part("Python", sys.version.partition(" ")[0], "PSF-2.0", _python_texts())
@@ -149,7 +150,7 @@ def main(work: Path, bundle: Path) -> int:
 
 
 def _page() -> list[Part]:
-    """What the page for headsets is made of."""
+    """The components of the page for headsets."""
     folder = ICONS_LICENCE.parents[2] / "webxr"
     return [
         Part("three.js", "0.170.0", "MIT", (folder / "LICENSE-three",)),

@@ -1,4 +1,5 @@
-"""Makes resources/meshes/rabbit.obj: the surface of a smooth union of ellipsoids, by VTK's contour.
+"""Makes resources/meshes/rabbit.obj: the surface of a smooth union of ellipsoids, by VTK's contour
+filter.
 
 .venv/bin/python packaging/make_rabbit.py
 """
@@ -12,7 +13,7 @@ import pyvista
 
 OUT = Path(__file__).parents[1] / "resources" / "meshes" / "rabbit.obj"
 CELLS = 36  # along each side of the grid
-SOFT = 0.07  # of the seams, in units of the body's half height
+SOFT = 0.07  # smoothing of the seams, in units of the body's half height
 PARTS = (  # centre, half axes, tilt about y in degrees
     ((0.00, 0.00, 0.00), (0.52, 0.40, 0.46), 0.0),  # body
     ((0.42, 0.00, 0.44), (0.28, 0.25, 0.25), 20.0),  # head
@@ -28,7 +29,7 @@ PARTS = (  # centre, half axes, tilt about y in degrees
 
 
 def distance(points: np.ndarray) -> np.ndarray:
-    """Nearly the signed distance of points (n, 3) to the union."""
+    """The approximate signed distance of points (n, 3) from the union."""
     out = np.full(len(points), np.inf)
     for centre, axes, tilt in PARTS:
         a = np.deg2rad(tilt)

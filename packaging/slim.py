@@ -1,11 +1,11 @@
-"""Takes out of an environment what the program never loads: a third of its size.
+"""Removes files that the program never loads from an environment: a third of its size.
 
     VENV/bin/python packaging/slim.py
 
-Their wheels bring tests, Qt's other half (QML, Designer, their tools) and VTK's other three
-quarters along, and know no way to leave them out. Of VTK stays what `VTK` names and the libraries
-that these load, which is asked of the system. `tests/packaging/test_slim.py` compares both with
-what the window loads.
+Wheels cannot be installed in part, so they include tests, unused parts of Qt (half: QML, Designer,
+their tools) and three quarters of VTK. The parts of VTK that are kept are those in `VTK` and the
+libraries that they load, as reported by the system. `tests/packaging/test_slim.py` compares both
+with what the window loads.
 """
 
 from __future__ import annotations
@@ -62,14 +62,14 @@ def main() -> None:
     freed = sum(map(size, unused))
     for path in unused:
         if path.is_dir():
-            shutil.rmtree(path, ignore_errors=True)  # one may lie in another
+            shutil.rmtree(path, ignore_errors=True)  # one may be inside another
         else:
             path.unlink(missing_ok=True)
     print(f"Took {freed / 1e6:.0f} MB out of the environment that the program never loads")
 
 
 def unused_of_vtk(folder: Path) -> Iterator[Path]:
-    """Its libraries that `VTK` does not load."""
+    """VTK's libraries that are not loaded by those in `VTK`."""
     for name in VTK.split():
         importlib.import_module(f"vtkmodules.vtk{name}")
     used = set(mapped())
@@ -77,7 +77,7 @@ def unused_of_vtk(folder: Path) -> Iterator[Path]:
 
 
 def mapped() -> Iterator[str]:
-    """Names of the files that this process has in its memory."""
+    """Names of the files that are mapped into this process."""
     lines = Path("/proc/self/maps").read_text("utf-8").splitlines()
     return (Path(line.split(maxsplit=5)[5]).name for line in lines if "/" in line)
 

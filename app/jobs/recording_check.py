@@ -11,7 +11,7 @@ from app.platform.tasks import Job, JobProgress
 from app.viewmodels.recording_report import HandReport, RecordingReport
 from app.words import error_text, notice_text
 from tracker.base.errors import GlovetrackError
-from tracker.session.glance import HandShare, quality
+from tracker.session.overview import HandShare, quality
 from tracker.session.reader import SessionReader
 from tracker.session.recover import needs_recovery
 from tracker.session.verify import verify

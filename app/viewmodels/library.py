@@ -16,7 +16,7 @@ from app.viewmodels.recording_report import packets_lost
 from app.viewmodels.states import BAD, GOOD, SKY, WARN, StateLook
 from app.words import error_text, mark, tr
 from tracker.base.errors import GlovetrackError
-from tracker.session.glance import Quality, quality, thumbnail
+from tracker.session.overview import Quality, quality, thumbnail
 from tracker.session.reader import SessionReader
 
 THUMBNAIL_WIDTH = 72  # px

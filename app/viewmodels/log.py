@@ -9,7 +9,7 @@ from datetime import datetime
 from app.viewmodels.states import BAD, BLUE, GREY, ORANGE, PURPLE, SKY, StateLook
 from app.words import event_text, mark, tr
 from tracker.messages import Event
-from tracker.session.notes import wording_of
+from tracker.session.notes import version_of
 
 KINDS: dict[str, StateLook] = {
     "error": StateLook(BAD.colour, BAD.sign, mark("Problems")),
@@ -32,7 +32,7 @@ def kind_of(event: Event) -> str:
 
 def words_of(event: Event) -> str:
     """The text for the user; empty for events that only programs read, such as gestures."""
-    if event.kind == "note" and wording_of(event) > 0:
+    if event.kind == "note" and version_of(event) > 0:
         return tr("changed to: {}").format(event.text) if event.text else tr("a note was deleted")
     return event_text(event)
 

@@ -27,7 +27,7 @@ from tracker.base.workers import (
 from tracker.session.export.options import VIDEO, ExportOptions
 from tracker.session.export.sidecar import forget_orphan
 from tracker.session.export.tables import arrow
-from tracker.session.glance import sessions_in
+from tracker.session.overview import sessions_in
 
 
 def export_lerobot(

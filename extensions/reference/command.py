@@ -106,7 +106,7 @@ def accuracy_command(args: argparse.Namespace) -> int:
     from extensions.reference.accuracy import headline
     from extensions.reference.numbers import as_json
     from extensions.reference.report import write_report
-    from tracker.session.glance import sessions_in
+    from tracker.session.overview import sessions_in
 
     paths = [path for path, _ in sessions_in(args.sessions)]
     check_json(args, paths)

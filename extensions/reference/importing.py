@@ -28,8 +28,8 @@ from tracker.geometry import so3
 from tracker.messages import Array, Event, Validity
 from tracker.session.edits import Mask
 from tracker.session.export.series import EstimateSeries, recorded_series
-from tracker.session.glance import PLACELESS
 from tracker.session.motion import instants
+from tracker.session.overview import WITHOUT_POSITION
 from tracker.session.reader import SessionReader
 
 REGISTRATIONS = ("offsets", "rigid", "none")
@@ -104,7 +104,7 @@ def _timing(
         found = by_pulse(ours, theirs)
     else:
         columns = [series.keypoint_names.index(n) for n in recording.names]
-        placeless = reader.info.engine == PLACELESS
+        placeless = reader.info.engine == WITHOUT_POSITION
         points = series.keypoints[:, columns]
         found = by_movement(t, points, recording.t, recording.points, placeless, options.with_drift)
     at = found.session_time(recording.t)

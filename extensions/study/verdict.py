@@ -14,7 +14,7 @@ from extensions.study.schedule import ScheduleStep
 from tracker.base.errors import GlovetrackError
 from tracker.base.notices import Notice, from_json, to_json, warning
 from tracker.messages import BlobFrame, Estimate, ImuSample, Status, Validity
-from tracker.session.glance import quality, session_summary
+from tracker.session.overview import quality, session_summary
 from tracker.session.reader import SessionReader
 from tracker.session.ros import topics
 

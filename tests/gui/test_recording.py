@@ -28,7 +28,7 @@ from tests.notices import shows
 from tracker.base.clock import monotonic
 from tracker.base.errors import FileError
 from tracker.messages import Event
-from tracker.session.notes import standing
+from tracker.session.notes import latest_versions
 
 
 @pytest.fixture
@@ -287,7 +287,7 @@ def test_notes_can_be_edited_and_deleted_until_the_recording_ends(recording, rec
     assert [listed.item(i, 1).text() for i in range(listed.rowCount())] == ["gripped", "dropped"]
     events = notes_in(recorders[0])
     assert len(events) == 5  # a file is only appended to
-    held = standing(events)
+    held = latest_versions(events)
     assert [e.text for e in held] == ["gripped", "dropped"]
     assert held[1].t == events[1].t
     recording.run_command("record")
@@ -306,13 +306,13 @@ def test_a_deleted_note_is_restored_by_undo(recording, recorders):
     undo.click()
     assert [listed.item(i, 1).text() for i in range(listed.rowCount())] == ["gripped", "sneezed"]
     events = notes_in(recorders[0])
-    held = standing(events)
+    held = latest_versions(events)
     assert [(e.text, e.t) for e in held] == [(e.text, e.t) for e in events[:2]]
     listed.setCurrentCell(0, 1)
     QTest.keyClick(listed, Qt.Key.Key_Delete)
     recording.run_command("record")
     recording.banner._work[0]()  # its recording has ended
-    assert [e.text for e in standing(notes_in(recorders[0]))] == ["sneezed"]
+    assert [e.text for e in latest_versions(notes_in(recorders[0]))] == ["sneezed"]
 
 
 NOW = datetime(2026, 3, 1, 12, 0, 5)

@@ -49,7 +49,7 @@ from tracker.live.inbox import DetectedFrame
 from tracker.live.runner import LiveTracker
 from tracker.messages import BlobFrame, Estimate, Status, StereoFrame, Tracking
 from tracker.session.description import SessionInfo, of_hands
-from tracker.session.glance import Quality, quality, session_summary
+from tracker.session.overview import Quality, quality, session_summary
 from tracker.session.reader import SessionReader
 from tracker.session.verify import is_ok, verify
 from tracker.session.writer import RecorderParams, SessionRecorder

@@ -13,7 +13,7 @@ from tracker.offline.crop import crop
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track
-from tracker.session.glance import session_summary
+from tracker.session.overview import session_summary
 from tracker.session.reader import SessionReader
 from tracker.session.verify import is_ok, verify
 

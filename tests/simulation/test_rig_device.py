@@ -111,30 +111,32 @@ def test_the_rig_reports_its_devices_and_the_hand_lengths(
 
 def test_a_glove_is_unplugged_and_plugged_by_commands(both: SimulatedRig) -> None:
     left, right = (both.files.gloves[side] for side in ("left", "right"))
-    assert both.heed("unplug left\n") == "The left glove is unplugged."
-    assert both.heed("unplug left") == "The left glove is unplugged already."
+    assert both.execute("unplug left\n") == "The left glove is unplugged."
+    assert both.execute("unplug left") == "The left glove is unplugged already."
     assert not left.is_symlink() and right.exists()
-    assert both.heed("plug left") == "The left glove is plugged."
+    assert both.execute("plug left") == "The left glove is plugged."
     (report,) = find_gloves([str(left)], patience=10.0)
     assert report.hello is not None and report.hello.glove_id == GLOVE_IDS["left"]
-    assert both.heed("plug right") == "The right glove is plugged already."
+    assert both.execute("plug right") == "The right glove is plugged already."
     for nonsense in ("", "plug", "pull left", "plug middle", "board left"):
-        assert both.heed(nonsense) == "Say plug or unplug, and left or right; or board, or hand."
+        assert both.execute(nonsense) == "Say plug or unplug, and left or right; or board, or hand."
 
 
 def test_electrical_faults_are_started_by_commands(both: SimulatedRig) -> None:
-    assert both.heed("fault left port busy") == "The left glove has the fault: port busy."
+    assert both.execute("fault left port busy") == "The left glove has the fault: port busy."
     (left,) = find_gloves([str(both.files.gloves["left"])])
     assert left.trouble is not None and left.trouble.code == "port.not_opened"
-    assert both.heed("fault left\n") == "The left glove has the fault: none."
+    assert both.execute("fault left\n") == "The left glove has the fault: none."
     (left,) = find_gloves([str(both.files.gloves["left"])])
     assert left.hello is not None
-    assert both.heed("fault left on fire").startswith("Say fault, left or right, and one of: brown")
+    assert both.execute("fault left on fire").startswith(
+        "Say fault, left or right, and one of: brown"
+    )
 
 
 def test_a_board_is_shown_and_removed_by_commands(both: SimulatedRig) -> None:
-    assert both.heed("board\n") == "The board is before the camera."
-    assert both.heed("hand") == "The hand is before the camera."
+    assert both.execute("board\n") == "The board is before the camera."
+    assert both.execute("hand") == "The hand is before the camera."
 
 
 def test_a_held_board_is_still_and_then_moves() -> None:

@@ -22,7 +22,7 @@ from tracker.base.workers import (
 from tracker.offline.options import TrackOptions
 from tracker.offline.track import track
 from tracker.offline.track_report import TrackReport
-from tracker.session.glance import sessions_in
+from tracker.session.overview import sessions_in
 
 HEAD = ("session", "duration", "mean error", "tracked", "seconds", "")
 

@@ -78,7 +78,7 @@ def _rig(args: argparse.Namespace) -> int:
     devices = SimulatedRig(_spec(args), args.folder, args.lenses == "apart", args.force)
     if args.board:
         devices.hold_board(True)
-    lines = _Lines(devices.heed)
+    lines = _Lines(devices.execute)
 
     def ready(files: RigFiles) -> None:
         for side, path in files.gloves.items():
@@ -123,10 +123,10 @@ def _spec(args: argparse.Namespace) -> DemoSpec:
 
 
 class _Lines:
-    """Lines of standard input; each is passed to ``heed``, and its answer is printed."""
+    """Lines of standard input; each is passed to ``execute``, and its answer is printed."""
 
-    def __init__(self, heed: Callable[[str], str]) -> None:
-        self._heed, self._begun = heed, b""
+    def __init__(self, execute: Callable[[str], str]) -> None:
+        self._heed, self._begun = execute, b""
         self._open = sys.stdin is not None and not sys.stdin.closed
 
     def read(self) -> None:

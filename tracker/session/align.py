@@ -1,7 +1,7 @@
 """Aligns two recordings in time, by the computers' clocks or by movement.
 
 By movement: the angular speed of the hand is the same in both recordings, whatever the sensors. The
-two are aligned where the correlation of their speeds is greatest.
+two are aligned at the greatest correlation of their speeds.
 """
 
 from __future__ import annotations
@@ -23,16 +23,16 @@ from tracker.session.reader import SessionReader
 
 WAYS = ("clock", "movement")
 RATE = 100.0  # Hz
-OVERLAP = 3.0  # s that both have to have in common
-LEAST = 0.5  # correlation of a match
-RIVAL = 0.95  # share of it that another offset may reach
-APART = 0.5  # s from the best one, from which on it is another offset
+MIN_OVERLAP = 3.0  # s, required overlap of both recordings
+MIN_CORRELATION = 0.5  # minimum correlation of a match
+MAX_OTHER_CORRELATION = 0.95  # maximum correlation at another offset, relative to the best
+MIN_SEPARATION = 0.5  # s between two offsets that count as different
 _SMOOTH = 0.05  # s
 
 
 @dataclass(frozen=True, eq=False)
 class SpeedCourse:
-    """``speed`` (N,) rad/s at ``t`` (N,) s from ``start_ns`` since 1970; NaN where not known."""
+    """``speed`` (N,) rad/s at ``t`` (N,) s from ``start_ns`` since 1970; NaN where unknown."""
 
     start_ns: int
     t: Array
@@ -41,8 +41,8 @@ class SpeedCourse:
 
 @dataclass(frozen=True)
 class Match:
-    """``offset`` s at which the second begins on the first one's axis; ``correlation`` there, and
-    the greatest at another offset."""
+    """``offset`` s: start of the second recording on the first one's time axis; ``correlation`` at
+    that offset, and the greatest at a different one."""
 
     offset: float
     correlation: float
@@ -51,8 +51,8 @@ class Match:
 
 @dataclass(frozen=True)
 class SessionAlignment:
-    """A stored alignment: ``offset_s`` from the first one's first measurement to the second one's;
-    ``clocks_differ_s`` must be added to the second one's stamps."""
+    """A stored alignment: ``offset_s`` is from the first measurement of the first recording to that
+    of the second; ``clocks_differ_s`` must be added to the stamps of the second."""
 
     first: str
     second: str
@@ -64,7 +64,7 @@ class SessionAlignment:
 
 
 def align(first: Path, second: Path, by: str = "movement") -> SessionAlignment:
-    """Raises ConfigError for another method, FileError if the offset cannot be determined."""
+    """Raises ConfigError for an unknown method, FileError if the offset cannot be determined."""
     if by not in WAYS:
         raise ConfigError(notice("align.unknown_method", known=WAYS, method=by))
     a, b = read_courses(first, second)
@@ -87,13 +87,14 @@ def align(first: Path, second: Path, by: str = "movement") -> SessionAlignment:
 
 def best_match(a: SpeedCourse, b: SpeedCourse) -> Match:
     """Raises FileError if no offset, or more than one, fits well."""
-    x, y = (_even(c)[:, None] for c in (a, b))
+    x, y = (_log_speed(c)[:, None] for c in (a, b))
     return match_channels(x, y, float(a.t[0] - b.t[0]))
 
 
-def match_channels(x: Array, y: Array, apart: float = 0.0, overlap: float = OVERLAP) -> Match:
-    """For K channels x (N, K) and y (M, K) at even steps of 1/`RATE`, NaN where unknown, together;
-    x begins ``apart`` s later than y; they have ``overlap`` s in common at least.
+def match_channels(x: Array, y: Array, apart: float = 0.0, overlap: float = MIN_OVERLAP) -> Match:
+    """For K channels x (N, K) and y (M, K) at even steps of 1/`RATE`, NaN where unknown. All
+    channels share one offset; x begins ``apart`` s later than y; they overlap by at least
+    ``overlap`` s.
 
     Raises FileError if no offset, or more than one, fits well.
     """
@@ -102,20 +103,20 @@ def match_channels(x: Array, y: Array, apart: float = 0.0, overlap: float = OVER
     if not np.isfinite(r).any():
         raise FileError(notice("align.too_short", needed_s=overlap))
     k = int(np.nanargmax(r))
-    far = np.abs(lags - lags[k]) > APART
+    far = np.abs(lags - lags[k]) > MIN_SEPARATION
     elsewhere = float(np.nanmax(r[far])) if np.isfinite(r[far]).any() else -1.0
-    if r[k] < LEAST:
+    if r[k] < MIN_CORRELATION:
         raise FileError(notice("align.no_fit", correlation=r[k]))
-    if elsewhere > RIVAL * r[k]:
+    if elsewhere > MAX_OTHER_CORRELATION * r[k]:
         raise FileError(notice("align.ambiguous", correlation=r[k], elsewhere=elsewhere))
-    return Match(float(lags[k] + _between(r, k) / RATE + apart), float(r[k]), elsewhere)
+    return Match(float(lags[k] + _peak(r, k) / RATE + apart), float(r[k]), elsewhere)
 
 
-def _even(course: SpeedCourse) -> Array:
-    """Speed at even steps without its mean; 0 where it is not known, and its logarithm, so that
-    the fastest instants do not count alone."""
+def _log_speed(course: SpeedCourse) -> Array:
+    """Logarithm of the speed at even steps, minus its mean; 0 where unknown. The logarithm keeps
+    the fastest instants from dominating."""
     known = np.isfinite(course.speed)
-    if known.sum() < OVERLAP * RATE / 10:
+    if known.sum() < MIN_OVERLAP * RATE / 10:
         raise FileError(notice("align.no_movement"))
     t, speed = course.t[known], course.speed[known]
     at = np.arange(t[0], t[-1], 1 / RATE)
@@ -127,9 +128,9 @@ def _even(course: SpeedCourse) -> Array:
 
 
 def _correlations(x: Array, y: Array, overlap: float) -> Array:
-    """Pearson's of what x (N, K) and y (M, K) both know at each lag, from -(M - 1) on, pooled over
-    the channels; NaN below ``overlap`` s."""
-    from scipy.signal import fftconvolve  # a quarter of a second that the window starts without
+    """Pearson's correlation of x (N, K) and y (M, K) where both are known, at each lag from -(M -
+    1) on, pooled over the channels; NaN for an overlap below ``overlap`` s."""
+    from scipy.signal import fftconvolve  # takes 0.25 s, which would delay the window's start
 
     known_x, known_y = np.isfinite(x).astype(float), np.isfinite(y).astype(float)
     x, y = (np.where(np.isfinite(v), v - _mean(v), 0.0) for v in (x, y))
@@ -153,7 +154,7 @@ def _mean(x: Array) -> Array:
     return np.asarray(np.where(known, x, 0.0).sum(axis=0) / np.maximum(known.sum(axis=0), 1))
 
 
-def _between(r: Array, k: int) -> float:
+def _peak(r: Array, k: int) -> float:
     """Steps from ``k`` to the top of the parabola through it and its neighbours."""
     if not 0 < k < len(r) - 1 or not np.isfinite(r[k - 1 : k + 2]).all():
         return 0.0
@@ -162,8 +163,8 @@ def _between(r: Array, k: int) -> float:
 
 
 def read_courses(first: Path, second: Path) -> tuple[SpeedCourse, SpeedCourse]:
-    """By what both have: IMUs, else the tracked angles. Raises FileError where they have neither
-    in common."""
+    """From the IMUs if both recordings have them, otherwise from the tracked angles. Raises
+    FileError if they have neither in common."""
     found = [(_of_imus(path), path) for path in (first, second)]
     if all(course is not None for course, _ in found):
         a, b = (course for course, _ in found)
@@ -175,7 +176,8 @@ def read_courses(first: Path, second: Path) -> tuple[SpeedCourse, SpeedCourse]:
 
 
 def _of_imus(path: Path) -> SpeedCourse | None:
-    """The angular speed of the root's IMU, or of the one that is there most; None without one."""
+    """The angular speed of the root's IMU, or of the IMU with the most samples; None without
+    IMUs."""
     with SessionReader(path) as reader:
         start = reader.span_ns[0]
         began = reader.anchor.monotonic(start)
@@ -185,7 +187,7 @@ def _of_imus(path: Path) -> SpeedCourse | None:
     found.sort(key=lambda m: m.t)
     gyro = np.linalg.norm(np.array([m.gyro for m in found]), axis=2)
     known = np.isfinite(gyro)
-    most = int(np.argmax(known.sum(axis=0)))  # the first of those that are there most: the root
+    most = int(np.argmax(known.sum(axis=0)))  # the first of those with the most samples: the root
     return SpeedCourse(start, np.array([m.t for m in found]) - began, gyro[:, most])
 
 
@@ -203,7 +205,7 @@ def _of_angles(path: Path) -> SpeedCourse | None:
 
 
 def course_of_angles(start_ns: int, t: Array, angles: Array) -> SpeedCourse:
-    """For joint angles (N, J) rad at ``t`` (N,) s; instants at which all are lost are not known."""
+    """For joint angles (N, J) rad at ``t`` (N,) s; unknown where all are lost."""
     rate = np.gradient(angles, np.maximum(t, np.arange(len(t)) * 1e-9), axis=0)
     known = np.isfinite(rate).any(axis=1)
     return SpeedCourse(start_ns, t, np.where(known, np.sqrt(np.nansum(rate**2, axis=1)), np.nan))
@@ -215,12 +217,12 @@ def alignment_path(second: Path) -> Path:
 
 
 def keep(alignment: SessionAlignment, path: Path, force: bool = False) -> None:
-    """Write it as JSON. Raises FileError."""
+    """Write an alignment as JSON. Raises FileError."""
     write_whole(path, json.dumps(asdict(alignment), indent=2) + "\n", force)
 
 
 def read_alignment(path: Path) -> SessionAlignment:
-    """Reads a stored alignment. Raises FileError for another file."""
+    """Reads a stored alignment. Raises FileError if the file is not one."""
     try:
         stored = json.loads(read_text(path))
         numbers = [float(stored[k]) for k in ("offset_s", "clocks_differ_s")]
@@ -235,7 +237,7 @@ def read_alignment(path: Path) -> SessionAlignment:
 def draw(
     path: Path, a: SpeedCourse, b: SpeedCourse, alignment: SessionAlignment, force: bool = False
 ) -> None:
-    """Both speeds on the first one's axis, as PNG."""
+    """Plot both speeds on the first recording's time axis, as PNG."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 

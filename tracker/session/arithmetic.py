@@ -1,7 +1,8 @@
-"""What the last bits of floating-point results depend on: processor, BLAS kernel and its threads.
+"""What determines the last bits of results: processor, BLAS kernel and its threads.
 
-Tracking again gives the same bits where these are the same. Elsewhere sums are taken in another
-order, by fused or plain multiplications, and the results differ far below a micrometre.
+Tracking a session again gives identical bits on computers with the same ones. On others, sums are
+taken in another order and multiplications may be fused; results differ by far less than a
+micrometre.
 """
 
 from __future__ import annotations
@@ -35,16 +36,19 @@ def arithmetic() -> str:
 
 
 def _instructions() -> str:
-    """The set of vector instructions for which NumPy has code and this processor runs it."""
+    """The vector instructions that both NumPy and this processor support."""
     chosen = introspect.opt_func_info(func_name="^sin$", signature="float64")
     return str(next(iter(chosen["sin"].values()))["current"])
 
 
 def _blas() -> str:
-    """The kernel that was chosen for this processor, or by the user, and how many threads."""
+    """The kernel that was chosen for this processor, or by the user, and its number of threads."""
     for path in _libraries():
         library = ctypes.CDLL(str(path))
-        name, threads = _asked(library, "get_corename"), _asked(library, "get_num_threads")
+        name, threads = (
+            _openblas_function(library, "get_corename"),
+            _openblas_function(library, "get_num_threads"),
+        )
         if name is None or threads is None:
             continue
         name.restype, threads.restype = ctypes.c_char_p, ctypes.c_int
@@ -55,13 +59,13 @@ def _blas() -> str:
 
 
 def _libraries() -> list[Path]:
-    """Shared libraries of BLAS that NumPy's wheel brings."""
+    """Shared BLAS libraries in NumPy's wheel."""
     root = Path(np.__file__).parent
     folders = (root.parent / "numpy.libs", root / ".libs", root / ".dylibs")
     return [path for folder in folders for path in sorted(folder.glob("*openblas*"))]
 
 
-def _asked(library: ctypes.CDLL, what: str) -> Any:
+def _openblas_function(library: ctypes.CDLL, what: str) -> Any:
     """Returns a function of OpenBLAS, whatever its prefix and suffix; None if it is missing."""
     for prefix in BLAS_PREFIXES:
         for suffix in BLAS_SUFFIXES:

@@ -84,7 +84,7 @@ def _add_export(command: argparse.ArgumentParser) -> None:
 
 
 def _add_selection(command: argparse.ArgumentParser) -> None:
-    """Adds the options that select what of a session is exported."""
+    """Adds the options that select the part of a session to export."""
     from tracker.session.export.options import HIDEABLE, PERSONAL, VIEWS
 
     command.add_argument(
@@ -157,7 +157,7 @@ def _export(args: argparse.Namespace) -> int:
         anonymous=anonymous,
         every=args.every,
         views=tuple(dict.fromkeys(args.views.split(","))),
-        dataset=DatasetOptions(args.task or _asked_task(args), args.split, args.images),
+        dataset=DatasetOptions(args.task or _ask_for_task(args), args.split, args.images),
     )
     check_json(args, args.files)
     if FORMATS.get(args.format).dataset is not None or len(args.files) > 1:
@@ -172,7 +172,7 @@ def _export(args: argparse.Namespace) -> int:
     return 0
 
 
-def _asked_task(args: argparse.Namespace) -> str:
+def _ask_for_task(args: argparse.Namespace) -> str:
     """Asks the user at the terminal for the description of the task in a data set."""
     from tracker.session.export.formats import FORMATS
 
@@ -184,7 +184,7 @@ def _asked_task(args: argparse.Namespace) -> str:
 def _info(args: argparse.Namespace) -> int:
     from tracker.session.edits import edit_of
     from tracker.session.edits import lines as edit_lines
-    from tracker.session.glance import session_summary
+    from tracker.session.overview import session_summary
 
     check_json(args, [args.file])
     found = session_summary(args.file)
@@ -206,21 +206,21 @@ def _info(args: argparse.Namespace) -> int:
 
 
 def _verify(args: argparse.Namespace) -> int:
-    from tracker.session.glance import sessions_in
+    from tracker.session.overview import sessions_in
     from tracker.session.verify import verify
 
     paths = [path for path, _ in sessions_in(args.files)]
     check_json(args, paths)
     if len(paths) == 1:
-        result, lines = _verdict(paths[0], verify(paths[0]))
+        result, lines = _verify_result(paths[0], verify(paths[0]))
     else:
         result, lines = _verify_many(paths)
     finish(args, result, lines, paths)
     return 0 if result["ok"] else 1
 
 
-def _verdict(path: Path, findings: list[FileFinding]) -> tuple[dict[str, Any], list[str]]:
-    """For programs and for people."""
+def _verify_result(path: Path, findings: list[FileFinding]) -> tuple[dict[str, Any], list[str]]:
+    """The result of `verify` as JSON or as text."""
     from tracker.session.verify import is_ok
 
     ok = is_ok(findings)
@@ -243,7 +243,7 @@ def _verify_many(paths: list[Path]) -> tuple[dict[str, Any], list[str]]:
         findings = (
             [FileFinding("error", plain(outcome.error), "file")] if outcome.error else outcome.value
         )
-        files[str(path)], verdict = _verdict(path, findings)
+        files[str(path)], verdict = _verify_result(path, findings)
         lines += verdict
     return {"ok": all(f["ok"] for f in files.values()), "files": files}, lines
 
@@ -271,8 +271,8 @@ def _recover(args: argparse.Namespace) -> int:
     return 0
 
 
-def _made_on(made_on: list[str], identical: bool) -> list[str]:
-    """That two files which differ were computed by different arithmetic, if they were."""
+def _arithmetic_hint(made_on: list[str], identical: bool) -> list[str]:
+    """A hint if two files that differ were computed with different arithmetic; else empty."""
     first, second = made_on
     if identical or first == second:
         return []
@@ -306,7 +306,7 @@ def _compare(args: argparse.Namespace) -> int:
         lines[-1] += f": first difference {found['first_difference_s']:.3f} s after the start"
     if found["differing"]:
         lines.append(f"differing: {', '.join(found['differing'])}")
-    lines += _made_on(found["made_on"], found["identical"])
+    lines += _arithmetic_hint(found["made_on"], found["identical"])
     finish(args, found, lines, inputs)
     return 0
 

@@ -1,4 +1,4 @@
-"""What differs between two trackings of one movement, and between one and the truth."""
+"""Compares two trackings of one movement, or a tracking with the truth."""
 
 from __future__ import annotations
 
@@ -27,16 +27,16 @@ def compare(
 ) -> dict[str, Any]:
     """Returns distances of keypoints (mm) and angles (deg) at the common instants of two files.
 
-    In sessions of both hands each hand is compared: ``hands`` contains the report of each, by side,
-    the rest applies to both, the worse of both or their mean. ``figure``: a PNG or PDF of both over
-    time, which replaces an existing one only with ``force``. ``shift_s`` is added to the stamps of
-    ``b``, whose values are then interpolated linearly (see `align`). Raises FileError if nothing
-    can be compared.
+    In sessions of both hands each hand is compared: ``hands`` contains the report of each, by side;
+    the other values are for both hands: the worse or the mean of the two. ``figure``: a PNG or PDF
+    of both over time, which replaces an existing one only with ``force``. ``shift_s`` is added to
+    the stamps of ``b``, whose values are then interpolated linearly (see `align`). Raises FileError
+    if nothing can be compared.
     """
     sides = _common_sides(a, b)
     found, curves = {}, []
     for side in sides:
-        found[side], curve = _compared(a, b, side, shift_s)
+        found[side], curve = _compare_hand(a, b, side, shift_s)
         curves.append(curve)
     if figure is not None:
         names = [f"{a.name} against {b.name}" + (f", {side}" if side else "") for side in sides]
@@ -44,7 +44,7 @@ def compare(
             _draw(part, curves, names)
     if len(found) == 1:
         return found[sides[0]]
-    return _of_both(found)
+    return _combine_hands(found)
 
 
 class _Curves(NamedTuple):
@@ -56,7 +56,7 @@ class _Curves(NamedTuple):
 
 
 def _common_sides(a: Path, b: Path) -> list[str]:
-    """Those of sessions of both hands; one that has no name where neither file is one."""
+    """The sides of sessions of both hands; one empty name if neither file is one."""
     with SessionReader(a) as first, SessionReader(b) as second:
         if not first.sides and not second.sides:
             return [""]
@@ -67,8 +67,8 @@ def _common_sides(a: Path, b: Path) -> list[str]:
     return common
 
 
-def _compared(a: Path, b: Path, side: str, shift_s: float) -> tuple[dict[str, Any], _Curves]:
-    """For one hand."""
+def _compare_hand(a: Path, b: Path, side: str, shift_s: float) -> tuple[dict[str, Any], _Curves]:
+    """Compares one hand."""
     with _of_side(a, side) as reader_a, _of_side(b, side) as reader_b:
         first, second = (recorded_series(r, segments=False) for r in (reader_a, reader_b))
         changes = _metadata_changes(reader_a, reader_b)
@@ -103,7 +103,7 @@ def _of_side(path: Path, side: str) -> SessionReader:
     return SessionReader(path, side=side)
 
 
-def _of_both(found: dict[str, dict[str, Any]]) -> dict[str, Any]:
+def _combine_hands(found: dict[str, dict[str, Any]]) -> dict[str, Any]:
     """Combines the reports of both hands."""
     hands = list(found.values())
     return {
@@ -125,7 +125,8 @@ def _of_both(found: dict[str, dict[str, Any]]) -> dict[str, Any]:
 
 
 def _shifted(m: EstimateSeries, stamp_ns: IntArray, shift_s: float) -> EstimateSeries:
-    """At those of ``stamp_ns`` at which it is known when its own stamps are moved."""
+    """The estimates at those of ``stamp_ns`` at which they are known after their own stamps are
+    shifted."""
     own = m.stamp_ns + round(shift_s * NS)
     m = m.rows(np.flatnonzero(np.diff(own, prepend=own[0] - 1) > 0))
     own = m.stamp_ns + round(shift_s * NS)
@@ -138,13 +139,13 @@ def _shifted(m: EstimateSeries, stamp_ns: IntArray, shift_s: float) -> EstimateS
     return replace(
         m.rows(nearest),
         stamp_ns=inside,
-        keypoints=_on_lines(t, m.keypoints, at),
-        angles=_on_lines(t, m.angles, at),
+        keypoints=_interpolated(t, m.keypoints, at),
+        angles=_interpolated(t, m.angles, at),
     )
 
 
-def _on_lines(t: Array, values: Array, at: Array) -> Array:
-    """Interpolates values (N, …) linearly; NaN next to a lost one, and in holes."""
+def _interpolated(t: Array, values: Array, at: Array) -> Array:
+    """Interpolates values (N, …) linearly; NaN next to a lost value, and in holes."""
     after = np.clip(np.searchsorted(t, at), 1, max(len(t) - 1, 1))
     if len(t) < 2:
         return values[np.zeros(len(at), np.int64)]
@@ -157,7 +158,7 @@ def _on_lines(t: Array, values: Array, at: Array) -> Array:
 
 def truth_error_mm(tracked: Path, truth: Path, also_in: Path | None = None) -> dict[str, float]:
     """Returns the mean distance (mm) of each keypoint of ``tracked`` from the truth in ``truth``,
-    at the instants that ``also_in`` has too.
+    at the instants that are in ``also_in`` too.
 
     Empty without truth or common instants; NaN for a keypoint that was always lost. Raises
     FileError if ``tracked`` contains no estimates.
@@ -226,8 +227,8 @@ def _identical(a: EstimateSeries, b: EstimateSeries) -> bool:
 def _first_difference(
     a: EstimateSeries, b: EstimateSeries, rows_a: IntArray, rows_b: IntArray
 ) -> float | None:
-    """Returns the s from the first estimate of ``a`` to the first common instant at which a value
-    or a state differs; None if they are identical, or have different keypoints."""
+    """Returns the time (s) from the first estimate of ``a`` to the first common instant at which a
+    value or a state differs; None if the estimates are identical or have different keypoints."""
     if a.keypoint_names != b.keypoint_names or a.joint_names != b.joint_names:
         return None
     found = np.flatnonzero(_differs(a.rows(rows_a), b.rows(rows_b)))

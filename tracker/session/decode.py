@@ -1,4 +1,4 @@
-"""Topics of a session as messages of the engine; the inverse of `encode`."""
+"""Decodes topics of a session to messages of the engine; the inverse of `encode`."""
 
 from __future__ import annotations
 
@@ -49,9 +49,9 @@ Decoded = Message | PackedFrame
 
 
 class MessageDecoder:
-    """Feeds on raw messages in order and gives the engine's messages, images still packed.
+    """Converts raw messages, in order, to the engine's messages, with images still packed.
 
-    Damaged messages give nothing, and are counted in ``left_out``.
+    Damaged messages are skipped and counted in ``left_out``.
     """
 
     def __init__(self, info: SessionInfo, packets: bool, timing: Timing, left_out: LeftOut) -> None:
@@ -75,7 +75,7 @@ class MessageDecoder:
         return table | dict.fromkeys(self._estimates.topics, self._estimate)
 
     def topics_of(self, kinds: Collection[type]) -> frozenset[str]:
-        """Topics that messages of these kinds are made of."""
+        """The topics from which messages of these kinds are decoded."""
         side, hand = self._info.side, self._estimates.topics
         imus = [topics.imu(side, n) for n in self._info.glove.imu_names]
         camera = [topics.TF, topics.CAMERA_POSE]
@@ -102,11 +102,11 @@ class MessageDecoder:
         return 1 if topic in (topics.TF, topics.CAMERA_POSE, topics.CAMERA_IMU) else 2
 
     def remember(self, raw: RawMessage) -> None:
-        """Takes a message from before the first one, for its values that are still valid."""
+        """Takes a message from before the part to be read, for its values that are still valid."""
         self._handle(raw)
 
     def feed(self, raw: RawMessage) -> list[Decoded]:
-        """What is complete by the time of ``raw``."""
+        """Returns the messages that are complete at the time of ``raw``."""
         before = self._sensors.release(raw.log_time)
         return [*before, *self._handle(raw), *self._sensors.release(-1)]
 
@@ -119,7 +119,7 @@ class MessageDecoder:
         return []
 
     def finish(self) -> list[Decoded]:
-        """What was still waiting for company."""
+        """Returns the messages that were still incomplete."""
         return list(self._sensors.release(None))
 
     def _transforms(self, raw: RawMessage) -> list[Decoded]:
@@ -162,7 +162,7 @@ def _statuses(raw: RawMessage, anchor: ClockAnchor, name: str) -> list[Status]:
 
 
 def _event(raw: RawMessage, anchor: ClockAnchor) -> Event:
-    """Decodes an event; a text of another program becomes a note."""
+    """Decodes an event; another program's text becomes a note."""
     text = motion.unpack_string(raw.data)
     try:
         content: Any = json.loads(text)

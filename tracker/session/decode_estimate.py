@@ -1,4 +1,4 @@
-"""Estimates put together from the topics that they are spread over."""
+"""Assembles estimates from the topics that they are split into."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from tracker.session.description import SessionInfo
 from tracker.session.mcap.input import RawMessage
 from tracker.session.ros import motion, topics
 
-_SEGMENTS_KEPT = 64  # estimates of one arrival are read transforms first
+_SEGMENTS_KEPT = 64  # the transforms of all estimates of one arrival are read first
 
 
 class EstimateDecoder:
-    """Puts estimates together from their topics; ``root``: ``hand``, ``truth`` or ``reference``."""
+    """Assembles estimates from their topics; ``root``: ``hand``, ``truth`` or ``reference``."""
 
     def __init__(self, info: SessionInfo, root: str) -> None:
         known = {"hand": topics.hand, "truth": topics.truth, "reference": topics.reference}
@@ -102,7 +102,7 @@ class EstimateDecoder:
 
 
 def _states(names_of: dict[str, str], names: tuple[str, ...], known: np.ndarray) -> IntArray:
-    """Returns states by name; measured by default, and lost without a number."""
+    """Returns states by name; measured by default, lost where there is no value."""
     stored = [names_of.get(n, "measured").upper() for n in names]
     values = [Validity[w] if w in Validity.__members__ else Validity.LOST for w in stored]
     return np.where(known, np.array(values, np.int64), int(Validity.LOST)).astype(np.int64)

@@ -22,7 +22,7 @@ RobotMessage = RobotModel | RobotState | RobotMemory
 
 
 def robot_names(reader: SessionReader) -> tuple[str, ...]:
-    """Robots that a session has joint states of."""
+    """The robots of a session, by their joint states."""
     found = (topics.robot_of(topic) for topic in reader.topic_names)
     return tuple(sorted({name for name, what in found if what == "joint_states"}))
 
@@ -51,7 +51,7 @@ def robot_model(reader: SessionReader, name: str) -> RobotModel:
 
 
 class _RobotDecoder:
-    """A state is complete with its contacts, which are written last."""
+    """Assembles robot states; one is complete with its contacts, which are written last."""
 
     def __init__(self, reader: SessionReader, name: str) -> None:
         self._name, self._t = name, reader.anchor.monotonic
@@ -96,7 +96,7 @@ class _RobotDecoder:
         )
 
     def _state(self, felt: np.ndarray, log_time: int) -> RobotState | None:
-        """None where a part is missing: of a recording that begins within a state."""
+        """None if a part is missing, as in a recording that begins within a state."""
         joints, commands, scene = self._joints, self._commands, self._scene
         if joints is None or commands is None or scene is None or len(felt) != FELT:
             return None

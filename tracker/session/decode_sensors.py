@@ -45,19 +45,19 @@ class Group(Generic[T]):
 class Grouper(Generic[T]):
     """Collects parts whose stamps agree within ``tolerance`` ns.
 
-    A group is released when it is complete, by `close`, or when log time has advanced by more than
-    ``patience`` ns; groups are released in the order of their stamps, at log times that never
-    decrease.
+    A group is released when it is complete, when `close` is called, or when log time has advanced
+    by more than ``patience`` ns; groups are released in the order of their stamps, at log times
+    that never decrease.
     """
 
     def __init__(self, names: frozenset[str], tolerance: int, patience: int) -> None:
         self._names, self._tolerance, self._patience = names, tolerance, patience
         self._open: list[Group[T]] = []
-        self._left_until = -1
+        self._released_until = -1
 
     def add(self, name: str, stamp: int, log_time: int, sequence: int, part: T) -> None:
-        """Take a part. One that is older than what left already is dropped."""
-        if stamp <= self._left_until:
+        """Take a part. One that is older than the last released group is dropped."""
+        if stamp <= self._released_until:
             return
         group = self._find(name, stamp)
         if group is None:
@@ -74,7 +74,7 @@ class Grouper(Generic[T]):
         return min(near, key=lambda g: abs(g.stamp - stamp), default=None)
 
     def close(self, stamp: int, log_time: int, sequence: int) -> Group[T]:
-        """Removes and returns the group at exactly ``stamp``; an empty one if it has no parts."""
+        """Removes and returns the group at exactly ``stamp``; an empty one if there is none."""
         for group in self._open:
             if group.stamp == stamp:
                 self._open.remove(group)
@@ -82,11 +82,11 @@ class Grouper(Generic[T]):
         return Group(stamp, log_time, sequence)
 
     def ready(self, now: int | None) -> list[Group[T]]:
-        """Groups that leave at log time ``now``; all of them if it is None."""
+        """Groups that are released at log time ``now``; all of them if it is None."""
         out: list[Group[T]] = []
         while self._open and (now is None or self._done(self._open[0], now)):
             group = self._open.pop(0)
-            self._left_until = max(self._left_until, group.stamp)
+            self._released_until = max(self._released_until, group.stamp)
             out.append(group)
         return out
 
@@ -100,7 +100,7 @@ _FOREIGN_PATIENCE = NS // 10  # images in a foreign file may be this late agains
 
 @dataclass(frozen=True)
 class Timing:
-    """Largest time differences (ns) of parts of one instant; zero for our own files."""
+    """Largest time differences (ns) of parts of one instant; zero for Glovetrack's own files."""
 
     imu_tolerance: int = 0
     frame_tolerance: int = 0
@@ -108,7 +108,8 @@ class Timing:
 
 
 def foreign_timing(source: McapInput, info: SessionInfo) -> Timing:
-    """For a file that is not ours: half of each period. Raises FileError on damage."""
+    """The tolerances for another program's file: half of each period. Raises FileError on
+    damage."""
     imus = [topics.imu(info.side, n) for n in info.glove.imu_names]
     frames = [f(c) for c in EYES for f in (topics.image, topics.blobs)]
     return Timing(
@@ -119,7 +120,7 @@ def foreign_timing(source: McapInput, info: SessionInfo) -> Timing:
 
 
 def _half_period(source: McapInput, candidates: list[str], default: int) -> int:
-    """Half the median distance of the first stamps of the first topic that is there, ns."""
+    """Half the median step (ns) of the first stamps of the first topic that the file has."""
     there = {c.topic for c in source.contents.channels.values()}
     topic = next((t for t in candidates if t in there), None)
     if topic is None:
@@ -144,7 +145,7 @@ class SensorDecoder:
         self, info: SessionInfo, packets: bool, timing: Timing, left_out: LeftOut | None = None
     ) -> None:
         """``packets``: the file marks the end of each glove packet. ``left_out`` counts images that
-        are found to be damaged when they are unpacked."""
+        turn out to be damaged when they are unpacked."""
         self._info, self._packets, self._left_out = info, packets, left_out
         self._t = info.anchor.monotonic
         self._imus = Grouper[sensors.ImuMessage](
@@ -175,7 +176,7 @@ class SensorDecoder:
         return table
 
     def set_camera(self, transforms: list[motion.Transform]) -> None:
-        """Keep the camera's pose, unless it is known to the last bit."""
+        """Store the camera's pose, unless the exact one is known."""
         for t in transforms:
             if is_camera(t) and t.stamp not in self._poses:
                 self._keep_pose(t.stamp, pose_of(t))

@@ -99,7 +99,7 @@ class SessionInfo:
 
 
 def of_hands(infos: Sequence[SessionInfo]) -> SessionInfo:
-    """Combines the descriptions of one or both hands; common values are those of the main one."""
+    """Combines the descriptions of one or both hands; shared values are those of the main one."""
     main = next((info for info in infos if info.side == MAIN), infos[0])
     return replace(main, others=tuple(info for info in infos if info is not main))
 

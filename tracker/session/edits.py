@@ -1,7 +1,7 @@
 """The record of edits in a session: which estimates were interpolated, how, and from which file.
 
 It is the attachment ``edits.json``. Edited estimates have the state *inferred* in their messages;
-what reads them calls them *interpolated* by this record. They are never called measured.
+readers report them as *interpolated* because of this record. They are never reported as measured.
 """
 
 from __future__ import annotations
@@ -47,8 +47,8 @@ class Filled:
 
 @dataclass(frozen=True)
 class Edit:
-    """What one command did: ``method`` and ``parameters``, by whom (``who``), ``when`` (ISO 8601)
-    and with which ``program``; the name and the SHA-256 of the file that was read."""
+    """One command's changes: ``method`` and ``parameters``, its user (``who``), ``when`` (ISO 8601)
+    and ``program``; the name and the SHA-256 of the file that was read."""
 
     method: str
     who: str
@@ -61,7 +61,7 @@ class Edit:
 
 
 def edits_text(edits: Sequence[Edit]) -> str:
-    """The attachment."""
+    """Returns the text of the attachment."""
     value = {"schema": SCHEMA, "edits": [asdict(edit) for edit in edits]}
     return json.dumps(value, indent=1, ensure_ascii=False) + "\n"
 
@@ -84,7 +84,7 @@ def parse_edits(text: str, where: str) -> tuple[Edit, ...]:
 
 
 def edit_of(stored: Mapping[str, Any]) -> Edit:
-    """From its form in JSON. Raises KeyError, TypeError or ValueError for another one."""
+    """Creates an Edit from JSON. Raises KeyError, TypeError or ValueError if it is not valid."""
     texts = {
         n: str(stored.get(n, ""))
         for n in ("method", "who", "when", "program", "source", "source_sha256")
@@ -109,7 +109,7 @@ def _filled(stored: Mapping[str, Any]) -> Filled:
 
 
 def without_person(text: str) -> str:
-    """The record without who edited and without the source's name, which may name the wearer."""
+    """The record without the user and without the source's name, which may identify the wearer."""
     stored = json.loads(text)
     for edit in stored.get("edits", ()):
         edit |= {"who": "", "source": ""}
@@ -140,7 +140,7 @@ def _columns(names: Sequence[str], wanted: Sequence[str]) -> list[int]:
 
 
 def lines(edits: Iterable[Edit]) -> list[str]:
-    """A sentence for each edit."""
+    """Returns a sentence for each edit."""
     out = []
     for edit in edits:
         total = sum(f.length for f in edit.filled)

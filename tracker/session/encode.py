@@ -1,4 +1,4 @@
-"""Messages of the engine as topics of a session."""
+"""Encodes messages of the engine as topics of a session."""
 
 from __future__ import annotations
 
@@ -62,10 +62,11 @@ class ImageCoding:
 
 
 class Arrivals:
-    """The latest arrival (ns since 1970) of what was fed to the engine.
+    """The latest arrival (ns since 1970) of a message fed to the engine.
 
-    An estimate is logged when what it follows from arrived, and not at its own instant: images may
-    arrive long after their exposure. So the order of a file is that of the run which wrote it.
+    An estimate is logged at the arrival of the message that caused it, not at its own instant:
+    images may arrive long after their exposure. So the messages of a file are in the order of the
+    run that wrote it.
     """
 
     def __init__(self) -> None:
@@ -81,7 +82,7 @@ def status_name(info: SessionInfo, side: str) -> str:
 
 
 class Encoder:
-    """Encodes messages; stores the last value of those of which only changes are written."""
+    """Encodes messages; stores the last value of those whose changes only are written."""
 
     def __init__(
         self,
@@ -102,7 +103,8 @@ class Encoder:
         self._pose_stamp = -1
 
     def encoded(self, message: Message) -> Iterator[Out]:
-        """For any message. A FrameResult follows from the rest, an EngineState is an attachment."""
+        """Encodes any message. A FrameResult follows from the others and an EngineState is an
+        attachment, so neither is encoded."""
         match message:
             case ImuSample():
                 return self.imu(message)
@@ -128,7 +130,7 @@ class Encoder:
                 return iter(())
 
     def imu(self, m: ImuSample) -> Iterator[Out]:
-        """Per IMU that answered one message, then the packet's times on both clocks."""
+        """One message for each IMU that responded, then the packet's times on both clocks."""
         stamp, log = self._wall(m.t), self._wall(m.t_arrival)
         self._arrivals.add(log)
         sequence = (m.seq + 1) % 2**32
@@ -148,13 +150,13 @@ class Encoder:
         yield Out(topics.packets(self._side), sensors.TIME_REFERENCE, log, stamp, data, sequence)
 
     def camera_imu(self, m: CameraImuSample) -> Iterator[Out]:
-        """What the camera's own IMU measures, in its frame."""
+        """A sample of the camera's own IMU, in its frame."""
         stamp, frame = self._wall(m.t), topics.camera_frame("left")
         data = sensors.pack_imu(sensors.ImuMessage(stamp, frame, m.gyro, m.accel))
         yield Out(topics.CAMERA_IMU, sensors.IMU, self._wall(m.t_arrival), stamp, data)
 
     def wrist(self, m: WristPose) -> Iterator[Out]:
-        """The pose of a tracker on the hand for other programs, and to the last bit."""
+        """The pose of a tracker on the hand: as ROS pose for other programs, and exact."""
         stamp, log = self._wall(m.t), self._wall(m.t_arrival)
         covariance = np.diag(np.repeat([m.position_variance, m.rotation_variance], 3))
         if not np.isfinite(m.q_GT).all():
@@ -168,7 +170,7 @@ class Encoder:
     def camera_pose(
         self, t: float, t_arrival: float, pose: CameraPose | None, exact: bool = True
     ) -> Iterator[Out]:
-        """Pose of a moving camera, once per exposure; ``exact``: to the last bit, too."""
+        """Pose of a moving camera, once per exposure; ``exact``: also without rounding."""
         stamp = self._wall(t)
         if pose is not None and stamp != self._pose_stamp:
             self._pose_stamp = stamp
@@ -176,7 +178,7 @@ class Encoder:
             yield from (m for m in messages if exact or m.topic == topics.TF)
 
     def robot(self, m: RobotModel | RobotState | RobotMemory) -> Iterator[Out]:
-        """For a robot that follows the hand; the log time of a state is when its command left."""
+        """The state of a robot that follows the hand; its log time is when its command was sent."""
         stamp = log = self._wall(m.t)
         if isinstance(m, RobotState) and math.isfinite(m.t_sent):
             log = self._wall(m.t_sent)
@@ -232,7 +234,7 @@ class Encoder:
         yield self._keypoints(topics.hand(self._side, "keypoints"), m, stamp, log)
 
     def truth(self, m: Estimate) -> Iterator[Out]:
-        """What a simulated hand really did."""
+        """The true pose of a simulated hand."""
         stamp = self._wall(m.t)
         yield self._joints(topics.truth(self._side, "joint_states"), m, stamp, stamp)
         yield self._keypoints(topics.truth(self._side, "keypoints"), m, stamp, stamp)
@@ -337,7 +339,7 @@ PACKETS_HZ = 100.0
 
 def imu_variances(noise: ImuNoise | None) -> tuple[float, float]:
     """rad²/s² and m²/s⁴ of each axis: white noise in the half of `PACKETS_HZ`. A message has no
-    place for biases, so these are not contained."""
+    field for biases, so these are not included."""
     noise = noise or NOMINAL
     return noise.gyro**2 * PACKETS_HZ / 2, noise.accel**2 * PACKETS_HZ / 2
 
@@ -371,7 +373,7 @@ def pose_messages(
     stamp: int,
     more: list[motion.Transform] | None = None,
 ) -> Iterator[Out]:
-    """world → camera_left as a transform and, to the last bit, as numbers."""
+    """world → camera_left as a transform and, exactly, as numbers."""
     transforms = list(more or [])
     if pose is not None:
         exact = motion.pack_numbers(np.r_[pose.R_GC.ravel(), pose.p_GC])

@@ -19,14 +19,15 @@ Part = tuple[str, str, bytes]
 
 
 class RobotEncoder:
-    """Says once what each robot is; a state without that has no names and is left out."""
+    """Writes the description of each robot once; a state before its description has no names and is
+    left out."""
 
     def __init__(self, wall: Callable[[float], int]) -> None:
         self._wall = wall
         self._models: dict[str, RobotModel] = {}
 
     def parts(self, message: RobotModel | RobotState | RobotMemory) -> Iterator[Part]:
-        """What a message is in a session."""
+        """The topics of a message."""
         if isinstance(message, RobotModel):
             yield from self._model(message)
         elif message.name in self._models:

@@ -38,7 +38,7 @@ NAME = "engine_state"
 MEDIA_TYPE = "application/octet-stream"
 VERSION = 2
 MOST_BYTES = 64 * 2**20
-MOST_TEXT = 4 * 2**20  # bytes of JSON: some hundred times as much in memory
+MOST_TEXT = 4 * 2**20  # bytes of JSON: about 100 times as much in memory
 _MAGIC = b"GTES"
 _HEAD = struct.Struct("<4sHIQ")
 _TYPES = ("float64", "int64", "bool", "uint8", "int32", "float32", "complex128")
@@ -51,7 +51,7 @@ def pack(engine: str, state: Any) -> bytes:
     Raises TypeError for objects that are not registered.
     """
     arrays = _Arrays()
-    flat = _flat(state, arrays)
+    flat = _to_json(state, arrays)
     content = {"engine": engine, "arrays": arrays.described, "state": flat}
     text = json.dumps(content, separators=(",", ":")).encode()
     raw = struct.pack("<I", len(text)) + text + b"".join(arrays.parts)
@@ -60,7 +60,7 @@ def pack(engine: str, state: Any) -> bytes:
 
 
 def unpack(data: bytes) -> tuple[str, Any]:
-    """(engine, state). Raises FileError where the bytes are damaged or of another version."""
+    """Returns (engine, state). Raises FileError if the bytes are damaged or of another version."""
     try:
         magic, version, crc, size = _HEAD.unpack_from(data)
         if magic != _MAGIC or zlib.crc32(data[10:]) != crc:
@@ -73,7 +73,7 @@ def unpack(data: bytes) -> tuple[str, Any]:
             raise DataError(notice("data.long_text"))
         content = json.loads(raw[4 : 4 + length])
         arrays = _read_arrays(content["arrays"], raw[4 + length :])
-        return str(content["engine"]), _whole(content["state"], arrays)
+        return str(content["engine"]), _from_json(content["state"], arrays)
     except (
         *(ValueError, KeyError, TypeError, IndexError, AttributeError, RecursionError),
         *(struct.error, zstandard.ZstdError, MemoryError, OverflowError),
@@ -103,11 +103,11 @@ class _Arrays:
         return self._number[id(value)]
 
 
-def _flat(value: Any, arrays: _Arrays) -> Any:
-    """JSON for ``value``."""
+def _to_json(value: Any, arrays: _Arrays) -> Any:
+    """Converts ``value`` to JSON."""
     known = record_of(type(value))
     if known is not None:
-        return _flat_record(value, known, arrays)
+        return _record_to_json(value, known, arrays)
     if isinstance(value, np.ndarray):
         return {"array": arrays.number(value)}
     if isinstance(value, np.generic):
@@ -117,16 +117,16 @@ def _flat(value: Any, arrays: _Arrays) -> Any:
     if type(value) in _PLAIN:
         return value
     if type(value) is list:
-        return [_flat(v, arrays) for v in value]
+        return [_to_json(v, arrays) for v in value]
     if type(value) is tuple:
-        return {"tuple": [_flat(v, arrays) for v in value]}
+        return {"tuple": [_to_json(v, arrays) for v in value]}
     raise TypeError(f"objects of {type(value).__name__} cannot be recorded")
 
 
-def _flat_record(value: Any, known: Record, arrays: _Arrays) -> dict[str, Any]:
+def _record_to_json(value: Any, known: Record, arrays: _Arrays) -> dict[str, Any]:
     if isinstance(value, enum.Enum):
         return {"enum": known.name, "value": value.value}
-    has = {name: _flat(inside, arrays) for name, inside in known.values(value).items()}
+    has = {name: _to_json(inside, arrays) for name, inside in known.values(value).items()}
     return {"record": known.name, "has": has}
 
 
@@ -134,7 +134,8 @@ def _flat_record(value: Any, known: Record, arrays: _Arrays) -> dict[str, Any]:
 
 
 def _read_arrays(described: Sequence[Any], blob: bytes) -> list[np.ndarray]:
-    """Each once, one after the other in ``blob``: no more memory than that has bytes."""
+    """Reads the arrays, stored one after the other in ``blob``; needs no more memory than
+    ``blob``."""
     out, at = [], 0
     for name, shape in described:
         if name not in _TYPES or any(type(n) is not int or n < 0 for n in shape):
@@ -147,17 +148,17 @@ def _read_arrays(described: Sequence[Any], blob: bytes) -> list[np.ndarray]:
     return out
 
 
-def _whole(value: Any, arrays: list[np.ndarray]) -> Any:
-    """The inverse of `_flat`."""
+def _from_json(value: Any, arrays: list[np.ndarray]) -> Any:
+    """The inverse of `_to_json`."""
     if isinstance(value, list):
-        return [_whole(v, arrays) for v in value]
+        return [_from_json(v, arrays) for v in value]
     if not isinstance(value, dict):
         return value
     if "record" in value:
-        has = {name: _whole(v, arrays) for name, v in value["has"].items()}
-        return _known(value["record"]).make(has)
+        has = {name: _from_json(v, arrays) for name, v in value["has"].items()}
+        return _record_named(value["record"]).make(has)
     if "enum" in value:
-        kind: Any = _known(value["enum"], enum.Enum).kind
+        kind: Any = _record_named(value["enum"], enum.Enum).kind
         return kind(value["value"])
     if "array" in value:
         return arrays[_index(value["array"])]
@@ -165,11 +166,11 @@ def _whole(value: Any, arrays: list[np.ndarray]) -> Any:
         if value["type"] not in _TYPES[:-1]:
             raise DataError(notice("data.number_type"))
         return np.dtype(value["type"]).type(value["number"])
-    return tuple(_whole(v, arrays) for v in value["tuple"])
+    return tuple(_from_json(v, arrays) for v in value["tuple"])
 
 
-def _known(name: str, base: type = object) -> Record:
-    """The record of a name; an enum's only where one is asked for."""
+def _record_named(name: str, base: type = object) -> Record:
+    """The record with a name; an enum only if one is requested."""
     known = RECORDS.get(name)
     if known is None or not issubclass(known.kind, base):
         raise DataError(notice("data.not_record", name=str(name)[:60]))

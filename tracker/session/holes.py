@@ -17,10 +17,10 @@ _ROUNDING = 1e-9  # s
 
 
 def runs(t: Array, known: NDArray[np.bool_]) -> list[slice]:
-    """Returns runs of the rising times ``t`` (s) whose known rows are close to one another.
+    """Returns runs of the increasing times ``t`` (s) without a hole.
 
-    Each begins and ends with a known row. Unknown rows inside are bridged: from the known one
-    before to the one after is at most `LONGEST_FILLED`.
+    Each begins and ends with a known row and may contain unknown ones: successive known rows are at
+    most `LONGEST_FILLED` apart.
     """
     rows = np.flatnonzero(known)
     if len(rows) == 0:
@@ -32,9 +32,8 @@ def runs(t: Array, known: NDArray[np.bool_]) -> list[slice]:
 
 
 def gaps(t: Array, known: NDArray[np.bool_]) -> list[tuple[float, float]]:
-    """(from, to) in s of `t` where nothing is known for longer than `LONGEST_FILLED`.
-
-    From the last known instant to the next; from the first or to the last instant at the ends.
+    """(from, to) in s of `t` where nothing is known for longer than `LONGEST_FILLED`: from the last
+    known instant to the next, at the ends from the first or to the last instant.
     """
     found = runs(t, known)
     if not found:
@@ -46,14 +45,14 @@ def gaps(t: Array, known: NDArray[np.bool_]) -> list[tuple[float, float]]:
 
 
 def is_hole(before: float, after: float) -> bool:
-    """Whether nothing is known between two instants (s) of consecutive known values."""
+    """Whether there is a hole between the instants (s) of two consecutive known values."""
     return after - before > LONGEST_FILLED + _ROUNDING
 
 
 def with_breaks(t: Array, values: Array, longest: float = LONGEST_FILLED) -> tuple[Array, Array]:
     """``t`` (N,) s and ``values`` (N, ...) with a row of NaN in the middle of each hole, so that a
-    line drawn through them is interrupted there. ``longest`` (s) is of series that are slower than
-    the estimates."""
+    line drawn through them is interrupted there. ``longest`` (s) replaces `LONGEST_FILLED` for
+    series with a lower rate than the estimates."""
     after = np.flatnonzero(np.diff(t) > longest + _ROUNDING) + 1
     if len(after) == 0:
         return t, np.asarray(values, float)
@@ -62,8 +61,8 @@ def with_breaks(t: Array, values: Array, longest: float = LONGEST_FILLED) -> tup
 
 
 def durations(t: Array) -> Array:
-    """Returns the (N,) s that each value at the rising times ``t`` (N,) s represents: half the
-    distance to both neighbours, at an end of a run as far outwards as inwards. Holes are not
+    """Returns the duration (N,) s that each value at increasing times ``t`` (N,) s represents: half
+    the distance to both neighbours, at an end of a run the same on both sides. Holes are not
     represented."""
     half = np.diff(t) / 2
     half[half * 2 > LONGEST_FILLED + _ROUNDING] = np.nan
@@ -73,8 +72,8 @@ def durations(t: Array) -> Array:
 
 
 def time_shares(t: Array) -> Array:
-    """Returns the (N,) share of the time that each value at ``t`` (N,) s represents; the sum is 1
-    without holes."""
+    """Returns the share (N,) of the time that each value at ``t`` (N,) s represents; they add up to
+    1 without holes."""
     each = durations(t)
     if len(t) == 0 or not each.any():
         return np.full(len(t), 1.0 / max(len(t), 1))
@@ -83,6 +82,6 @@ def time_shares(t: Array) -> Array:
 
 
 def _inside(pair: Array) -> float:
-    """Returns the s between two neighbours that one of them represents."""
+    """Returns the time (s) between two neighbours that one of them represents."""
     step = float(pair[-1] - pair[0])
     return 0.0 if step > LONGEST_FILLED + _ROUNDING else step / 2

@@ -1,4 +1,4 @@
-"""Images of a session, with their size checked before they are unpacked."""
+"""Decodes images of a session; their size is checked first."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _START_OF_FRAME = {0xC0, 0xC1, 0xC2, 0xC3, 0xC5, 0xC6, 0xC7, 0xC9, 0xCA, 0xCB, 0
 class PackedFrame:
     """A StereoFrame before its images are unpacked: ``parts`` by camera, ``left`` and ``right``.
 
-    Unpacking is most of the cost of reading and may be done in any thread. ``left_out`` counts the
+    Unpacking takes most of the time to read and may be done in any thread. ``left_out`` counts the
     images that turn out to be damaged.
     """
 
@@ -58,7 +58,7 @@ class PackedFrame:
 
 
 def decode_image(data: bytes, name: str) -> NDArray[np.uint8]:
-    """Decodes JPEG or PNG bytes to (h, w, 3) BGR. Raises FileError, which contains ``name``."""
+    """Decodes JPEG or PNG bytes to (h, w, 3) BGR. Raises FileError, which includes ``name``."""
     check_image(data, name)
     image = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_COLOR)
     if image is None:
@@ -97,7 +97,8 @@ def image_size(data: bytes) -> tuple[int, int] | None:
 
 
 def _is_whole_png(data: bytes) -> bool:
-    """Whether all chunks are there with their checksums, to the last one (ISO/IEC 15948, 5.3)."""
+    """Whether all chunks are present with valid checksums, up to the last one (ISO/IEC 15948,
+    5.3)."""
     at, view = 8, memoryview(data)
     while at + 12 <= len(data):
         end = at + 8 + int.from_bytes(data[at : at + 4], "big")

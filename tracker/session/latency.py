@@ -1,4 +1,4 @@
-"""Latencies from a glove's sample to the outputs that follow from it, from a session."""
+"""Computes latencies from a glove's sample to the resulting outputs, from a session."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ def latencies_of(path: Path) -> Figures:
     """Returns ``count``, ``median_ms``, ``p99_ms`` and ``most_ms`` of a session by output.
 
     ``packet``: the host received a sample; ``motor``: a motor of the glove received a command
-    (events of kind motor); ``robot NAME``: a robot's command was sent. All are since the instant of
-    the sample. Raises FileError.
+    (events of kind motor); ``robot NAME``: a robot's command was sent. All are measured from the
+    instant of the sample. Raises FileError.
     """
     found: dict[str, list[float]] = defaultdict(list)
     with SessionReader(path) as reader:
@@ -37,7 +37,7 @@ def latencies_of(path: Path) -> Figures:
         for name in robot_names(reader):
             wanted = frozenset({topics.robot(name, "joint_commands")})
             late = [(m.log_time - m.publish_time) / NS for m in ordered(reader.source, wanted)]
-            found[f"robot {name}"] = [s for s in late if s > 0]  # 0: one that a recording drove
+            found[f"robot {name}"] = [s for s in late if s > 0]  # 0: driven by a recording
     return {what: _figures(1e3 * np.array(s)) for what, s in found.items() if s}
 
 
@@ -51,7 +51,7 @@ def _figures(ms: np.ndarray) -> dict[str, float]:
 
 
 def latency_lines(figures: Figures) -> list[str]:
-    """For people."""
+    """Formats latencies as text."""
     lines = [
         f"  {what}: {f['median_ms']:.1f} ms after the sample (99 %: {f['p99_ms']:.1f}, "
         f"most {f['most_ms']:.1f}; {f['count']} times)"

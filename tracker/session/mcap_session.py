@@ -22,7 +22,7 @@ from tracker.session.mcap.ordering import ordered
 from tracker.session.mcap.records import LATEST
 from tracker.session.ros import motion, sensors
 
-_LATEST_WALL = 2**31 * NS  # ns since 1970: the stamps of ROS 2 count seconds in 31 bits
+_LATEST_WALL = 2**31 * NS  # ns since 1970: stamps of ROS 2 have 31 bits for the seconds
 _MOST_ATTACHMENTS = 1000
 _RECORD_BYTES = 1000  # of an attachment's record, without its data
 STATE_MODULES = ("..engine.pipeline", "..engine.hands")
@@ -71,7 +71,8 @@ class McapSession:
 
     @cached_property
     def attachments(self) -> dict[str, str]:
-        """Text attachments by file name; names with a path in them are left out, and large ones."""
+        """Text attachments by file name; those with a path in their name and large ones are left
+        out."""
         out: dict[str, str] = {}
         for entry in self.source.contents.attachments[:_MOST_ATTACHMENTS]:
             if entry[1] > MOST_BYTES + _RECORD_BYTES:
@@ -82,7 +83,7 @@ class McapSession:
             try:
                 out[a.name] = a.data.decode()
             except UnicodeDecodeError:
-                continue  # not one of ours: ours are TOML
+                continue  # not Glovetrack's, which are TOML
         return {**out, **self._replace}
 
     @cached_property
@@ -145,13 +146,13 @@ class McapSession:
     def span_ns(self) -> tuple[int, int]:
         """Log times of the first sensor message or estimate, and of the last message.
 
-        Descriptions of a session may be stamped long before, at the start of tracking. Without
-        measurements all messages count; (0, 0) if there are none.
+        Descriptions of a session may have been stamped long before, at the start of tracking.
+        Without measurements, all messages count; (0, 0) if there are none.
         """
         first, last = self.source.contents.spans.bounds()
         try:
             measured = next(ordered(self.source, self._streams), None)
-        except FileError:  # a damaged start: `verify` speaks of it
+        except FileError:  # a damaged start: `verify` reports it
             measured = None
         return (first if measured is None else measured.log_time), last
 
@@ -167,10 +168,11 @@ class McapSession:
 
 
 def register_states() -> None:
-    """Imports every module that a recorded state of tracking needs, those of other packages too.
+    """Imports every module that a recorded state of tracking needs, including those of packages.
 
     A record registers itself when its module is imported. A program that only reads a session has
-    not imported the engines; they are above this package, so they are imported by name and here.
+    not imported the engines; their layers are above this package, so they are imported here, by
+    name.
     """
     for name in STATE_MODULES:
         import_module(name, __package__)

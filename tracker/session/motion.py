@@ -1,7 +1,7 @@
-"""Measures of the motion in a recording: ranges and speeds of angles, distances between points.
+"""Measures the motion in a recording: ranges and speeds of angles, distances between points.
 
 Angles in rad, lengths in m, times in s. Lost values are ignored; inferred ones are used, and their
-share is given. Time without estimates (`holes`) counts as lost.
+share is given. Time without estimates (see `holes`) counts as lost.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from tracker.session.reader import SessionReader
 
 APERTURE = ("thumb_tip", "index_tip")
 """Points whose distance is the aperture of a grasp."""
-SMOOTH = 0.05  # s over which a speed is computed: noise of one estimate is not motion
+SMOOTH = 0.05  # s over which a speed is computed, so that the noise of one estimate is not motion
 Pair = tuple[str, str]
 
 
@@ -44,10 +44,10 @@ class Take:
 
 @dataclass(frozen=True)
 class Measure:
-    """For one angle (rad) or distance (m) in a recording: least, greatest, mean and sd of its
-    values; fastest change per s; shares of the time that it was measured, inferred, lost; the mean
-    standard deviation that the tracker reports, NaN without one; and the share of the time that an
-    edit interpolated, which is part of the inferred share."""
+    """Measures of one angle (rad) or distance (m) in a recording: least, greatest, mean and sd of
+    its values; fastest change per s; shares of the time in which it was measured, inferred and
+    lost; the mean standard deviation reported by the tracker, NaN without one; and the share of the
+    time that was interpolated by an edit, part of the inferred share."""
 
     name: str
     is_angle: bool
@@ -99,7 +99,8 @@ def take_of(
     point_names: tuple[str, ...],
     start: float,
 ) -> Take:
-    """The same of estimates in the order of their instants; ``start`` is the engine's time of 0."""
+    """Converts estimates, in the order of their instants, to a Take; ``start`` is the engine's time
+    of 0."""
     return Take(
         np.array([e.t for e in estimates]) - start,
         angle_names,
@@ -153,7 +154,7 @@ def curve(take: Take, values: Array, state: IntArray) -> tuple[Array, Array]:
 
 
 def measures(take: Take, pairs: Sequence[Pair]) -> list[Measure]:
-    """For all angles, then of the distances between the points of each pair."""
+    """Measures of all angles, then of the distances between the points of each pair."""
     no_sd = np.full(len(take.t), np.nan)
     out = []
     for j, name in enumerate(take.angle_names):
@@ -213,7 +214,7 @@ def _measure(
 
 @dataclass(frozen=True)
 class Units:
-    """What numbers are written in: ``degrees`` or rad; lengths always in mm."""
+    """Units of printed numbers: ``degrees`` or rad; lengths are always in mm."""
 
     degrees: bool = True
 
@@ -235,7 +236,7 @@ COLUMNS = (
 
 
 def table(rows: Sequence[Measure], units: Units, separator: str = ",") -> str:
-    """A header and a line for each measure; empty where nothing is known."""
+    """A header and a line for each measure; cells are empty where nothing is known."""
     lines = [separator.join(COLUMNS)]
     for m in rows:
         values = (m.least, m.greatest, m.range, m.mean, m.sd, m.fastest)

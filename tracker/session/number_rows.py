@@ -1,7 +1,7 @@
-"""Numbers of recorded messages as columns: an hour of estimates in seconds.
+"""Reads the numbers of recorded messages as columns: an hour of estimates within seconds.
 
-Messages of one topic differ mostly in their numbers, so the part before these is parsed once, and
-again when it changes.
+Messages of one topic differ mostly in their numbers, so the part before the numbers is parsed once,
+and again if it changes.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from tracker.session.ros import motion
 
 _STAMP = struct.Struct("<iI")
 _AFTER_STAMP = 12  # bytes: the header of CDR and the stamp
-_BODY = 4  # where alignment is counted from
+_BODY = 4  # offset from which alignment is counted
 _LITTLE_ENDIAN = 1
 _BLOCK = 4096  # transform messages that are decoded together
 States = NDArray[np.int8]
@@ -41,7 +41,7 @@ class _Run:
 
 
 class NumberRows:
-    """Numbers of one topic's messages, ``size`` bytes for each thing that has a row."""
+    """Numbers of one topic's messages; each row has ``size`` bytes."""
 
     def __init__(self, size: int) -> None:
         self._size = size
@@ -71,7 +71,8 @@ class NumberRows:
         return True
 
     def _begin(self, data: bytes, stamp: int, names: tuple[str, ...], numbers: Array) -> None:
-        """The first of a run; where the numbers cannot be found again its head is never met."""
+        """Begins a run with its first message. If the position of the numbers is unknown, no other
+        message joins the run."""
         raw = np.asarray(numbers, "<f8").tobytes()
         at = _aligned(data, raw) if raw else -1
         plain = at >= 0 and data[1] == _LITTLE_ENDIAN
@@ -82,7 +83,7 @@ class NumberRows:
         self.runs.append(run)
 
     def table(self, columns: int) -> Array:
-        """(N, columns, numbers of each) of all messages; NaN where one has fewer rows."""
+        """(N, columns, numbers of each) of all messages; NaN where a message has fewer rows."""
         out = np.full((len(self.stamps), columns, self._size // 8), np.nan)
         first = 0
         for run in self.runs:
@@ -124,7 +125,7 @@ def _aligned(data: bytes, numbers: bytes) -> int:
 
 
 class StateRows:
-    """States, and the estimates from which on they apply."""
+    """States, and the estimates from which they apply."""
 
     def __init__(self, keypoints: tuple[str, ...], joints: tuple[str, ...]) -> None:
         self._names = {"keypoints": keypoints, "joints": joints}
@@ -163,7 +164,7 @@ def at_stamps(stamp: IntArray, stamps: IntArray, values: Array) -> Array:
 
 
 class DeviationRows:
-    """The last standard deviations before each estimate: messages of numbers without a stamp."""
+    """The last standard deviations before each estimate; their messages have no stamp."""
 
     def __init__(self) -> None:
         self._rows: list[int] = []
@@ -185,8 +186,8 @@ class DeviationRows:
 
 
 class _Layout(NamedTuple):
-    """For a transform message: which bytes are the same in all like it (L,) bool; its byte order;
-    where each child's stamp and numbers begin."""
+    """Layout of a transform message: the bytes (L,) bool that are the same in all of its kind; byte
+    order; offsets of each child's stamp and numbers."""
 
     fixed: NDArray[np.bool_]
     order: str
@@ -212,7 +213,7 @@ def _layout(data: bytes) -> _Layout:
 
 
 class TransformRows:
-    """Poses of ``children`` (row by frame) out of transform messages, by stamp.
+    """Poses of ``children`` (row by frame) from transform messages, by stamp.
 
     Messages of one layout are decoded together.
     """
@@ -248,7 +249,7 @@ class TransformRows:
         self._waiting.clear()
 
     def _decode_equal(self, numbers: IntArray) -> None:
-        """Messages of one length."""
+        """Decodes messages of one length."""
         data = b"".join(self._waiting[k].data for k in numbers)
         table = np.frombuffer(data, np.uint8).reshape(len(numbers), -1)
         rows = np.arange(len(numbers))

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from tracker.base.errors import FileError
 from tracker.base.notices import notice
 from tracker.messages import Array, Event, ImuSample, IntArray
-from tracker.session.notes import standing
+from tracker.session.notes import latest_versions
 from tracker.session.reader import SessionReader
 
 MARKS = ("note", "pulse")
@@ -36,7 +36,7 @@ class RawImu:
         return len(self.stamp_ns)
 
     def rows(self, rows: IntArray, zero_ns: int = 0) -> RawImu:
-        """Some of the packets, the computer's times counted from ``zero_ns``."""
+        """A selection of the packets; the computer's times are counted from ``zero_ns``."""
         return RawImu(
             self.names, self.stamp_ns[rows] - zero_ns, self.arrival_ns[rows] - zero_ns,
             self.device_s[rows], self.seq[rows], self.accel[rows], self.gyro[rows],
@@ -45,7 +45,7 @@ class RawImu:
 
     @property
     def rate(self) -> float:
-        """Packets per second: the inverse of the median step; NaN of fewer than two."""
+        """Packets per second: the inverse of the median step; NaN for fewer than two."""
         return 1e9 / float(np.median(np.diff(self.stamp_ns))) if len(self) > 1 else float("nan")
 
     def channels(self) -> tuple[list[str], Array]:
@@ -68,7 +68,7 @@ class RawImu:
 def read_raw_imu(reader: SessionReader, need: bool = True) -> RawImu:
     """Returns all packets in the order of their instants.
 
-    Raises FileError if there are none, unless they are not ``need``ed.
+    Raises FileError if there are none and ``need`` is set.
     """
     found = [m for m in reader.messages([ImuSample]) if isinstance(m, ImuSample)]
     if not found and need:
@@ -89,6 +89,6 @@ def read_raw_imu(reader: SessionReader, need: bool = True) -> RawImu:
 
 
 def read_notes(reader: SessionReader, kinds: tuple[str, ...] = ("note",)) -> list[tuple[int, str]]:
-    """(ns since 1970, text) of each note in its last wording; of events of other ``kinds`` too."""
+    """(ns since 1970, text) of each note in its last version; also of events of other ``kinds``."""
     events = [m for m in reader.messages([Event]) if isinstance(m, Event)]
-    return [(reader.anchor.wall(e.t), e.text) for e in standing(events) if e.kind in kinds]
+    return [(reader.anchor.wall(e.t), e.text) for e in latest_versions(events) if e.kind in kinds]

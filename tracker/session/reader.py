@@ -1,4 +1,4 @@
-"""Reading a session: what it is about, and its messages in the order in which they were fed."""
+"""Reads a session: its description, and its messages in the order in which they were fed."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ class SessionReader(McapSession):
 
     @cached_property
     def info(self) -> SessionInfo:
-        """What the session is about. Raises FileError where hand or glove is missing or wrong."""
+        """The session's description. Raises FileError if hand or glove is missing or invalid."""
         if not self.sides:
             return self._info_of("")
         side = self._asked or description.MAIN
@@ -67,7 +67,7 @@ class SessionReader(McapSession):
         return replace(self._info_of(side), others=others)
 
     def _info_of(self, side: str) -> SessionInfo:
-        """The hand to read in a session of both hands; empty: the only one."""
+        """The description of one hand of a session of both hands; empty: of the only one."""
         names = (description.HAND, description.GLOVE)
         if side:
             names = tuple(description.of_side(name, side) for name in names)  # type: ignore[assignment]
@@ -123,7 +123,7 @@ class SessionReader(McapSession):
     ) -> Iterator[Message]:
         """Messages of the given kinds in feed order, with start ≤ arrival < end (s).
 
-        Images cost their decoding; leave StereoFrame out of ``kinds`` where they are not needed.
+        Decoding images takes time; leave StereoFrame out of ``kinds`` if they are not needed.
         Damaged messages and images are left out, and counted in ``source.left_out``.
         """
         for m in self.packed_messages(kinds, start, end):
@@ -172,11 +172,13 @@ class SessionReader(McapSession):
             yield raw
 
     def truth(self, start: float | None = None) -> Iterator[Estimate]:
-        """What a simulated hand really did, with arrival ≥ ``start`` (s); else nothing."""
+        """The true poses of a simulated hand, with arrival ≥ ``start`` (s); empty if there are
+        none."""
         return self._other_hand("truth", start)
 
     def reference(self, start: float | None = None) -> Iterator[Estimate]:
-        """What a laboratory measured of the hand, with arrival ≥ ``start`` (s); else nothing."""
+        """The hand as measured by a laboratory's reference system, with arrival ≥ ``start`` (s);
+        empty if there is none."""
         return self._other_hand("reference", start)
 
     def _other_hand(self, root: str, start: float | None) -> Iterator[Estimate]:
@@ -191,5 +193,5 @@ class SessionReader(McapSession):
 
     @cached_property
     def _timing(self) -> Timing:
-        """None is needed for our own files."""
+        """The tolerances for this file; zero for Glovetrack's own."""
         return Timing() if self.metadata else foreign_timing(self.source, self.info)

@@ -18,8 +18,8 @@ from tracker.session.message_check import sound
 
 @dataclass(frozen=True)
 class Recovery:
-    """What was recovered. ``damage`` lists what was not; ``left_out`` counts damaged messages in
-    intact chunks, by topic."""
+    """The result of a recovery. ``damage`` lists what could not be recovered; ``left_out`` counts
+    damaged messages in intact chunks, by topic."""
 
     path: Path
     messages: int
@@ -81,19 +81,19 @@ class _Copy:
                 copier.copy(m)
 
     def _extras(self) -> None:
-        """Metadata and attachments, but for those that are damaged."""
+        """Copies metadata and attachments, except damaged ones."""
         for entry in self.source.contents.metadata:
-            with self._noting(entry[0]):
+            with self._recording_damage(entry[0]):
                 record = self.source.metadata_at(entry)
                 self.out.metadata(record.name, dict(record.metadata))
         for entry in self.source.contents.attachments:
-            with self._noting(entry[0]):
+            with self._recording_damage(entry[0]):
                 a = self.source.attachment_at(entry)
                 self.out.attach_bytes(a.name, a.media_type, a.data, a.log_time)
 
     @contextmanager
-    def _noting(self, offset: int) -> Iterator[None]:
-        """What cannot be read is damage; what cannot be written ends the work."""
+    def _recording_damage(self, offset: int) -> Iterator[None]:
+        """Records errors of reading as damage; errors of writing are raised."""
         try:
             yield
         except DiskError:

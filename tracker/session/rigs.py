@@ -20,8 +20,8 @@ from tracker.vision.lenses import one_camera_rig
 from tracker.vision.rig import Camera, StereoRig
 
 _INFOS = {topics.camera_info(c): c for c in EYES}
-_LOOK_FOR_RIG = 500  # messages of a topic
-_BEFORE_CONTENT = 12  # bytes of CDR header and stamp, which differ where nothing else does
+_MOST_RIG_MESSAGES = 500  # messages of a topic
+_BEFORE_CONTENT = 12  # bytes of CDR header and stamp, which differ in otherwise equal messages
 
 
 CAMERA = "camera"
@@ -37,7 +37,7 @@ def shutter_record(rig: StereoRig, since: int | None = None) -> dict[str, str]:
 
 
 class LineTimes:
-    """How much later each row of a session's images is exposed than the one above it."""
+    """The delay of exposure from each row of a session's images to the next."""
 
     def __init__(self, source: McapInput) -> None:
         """Raises FileError for a record without a plausible number."""
@@ -53,7 +53,7 @@ class LineTimes:
         self._from.sort(key=lambda entry: entry[0])
 
     def at(self, log_time: int) -> float:
-        """s a row, of a calibration that is valid from this log time (ns) on; 0 where all rows are
+        """s per row, for a calibration that is valid from this log time (ns) on; 0 if all rows are
         exposed at once."""
         return [line_time for since, line_time in self._from if since <= log_time][-1]
 
@@ -98,35 +98,35 @@ class _Start:
 
 
 def camera_count(source: McapInput) -> int:
-    """Returns the number of cameras of a session: one if nothing in it is of a right camera."""
+    """Returns the number of cameras of a session: one if it contains nothing of a right camera."""
     there = {channel.topic for channel in source.contents.channels.values()}
     of_right = (topics.camera_info("right"), topics.image("right"), topics.blobs("right"))
     return 2 if there.intersection(of_right) else 1
 
 
 def _rig_of(cameras: dict[str, Camera], pose: CameraPose, count: int) -> StereoRig:
-    """Raises ConfigError where left and right are not of one calibration."""
+    """Raises ConfigError if left and right are from different calibrations."""
     if count == 1:
         return one_camera_rig(cameras["left"], pose)
     return StereoRig(cameras["left"], cameras["right"], pose)
 
 
 def _take_first(source: McapInput, topic: str, start: _Start, pose: str) -> None:
-    """Take messages of a topic until one has the camera's ``pose``, a field of `_Start`.
+    """Takes messages of a topic until the field ``pose`` of `_Start` is set.
 
     Each topic is read separately: a recording that began on an overloaded computer describes its
     cameras after thousands of transforms of the hand.
     """
     for n, raw in enumerate(ordered(source, frozenset([topic]))):
         start.take(raw, source.left_out)
-        if getattr(start, pose) is not None or n > _LOOK_FOR_RIG:
+        if getattr(start, pose) is not None or n > _MOST_RIG_MESSAGES:
             break
 
 
 def first_rig(source: McapInput) -> tuple[StereoRig | None, bool]:
-    """The rig at the start, None where it is not all there, and whether its camera moves.
+    """The rig at the start, None if it is incomplete, and whether its camera moves.
 
-    Raises FileError where left and right are not of one calibration.
+    Raises FileError if left and right are from different calibrations.
     """
     start, count, log_time = _Start(), camera_count(source), 0
     for n, raw in enumerate(ordered(source, frozenset([*_INFOS, topics.TF_STATIC]))):
@@ -134,7 +134,7 @@ def first_rig(source: McapInput) -> tuple[StereoRig | None, bool]:
         start.take(raw, source.left_out)
         if (len(start.cameras), start.fixed is None) != before:
             log_time = raw.log_time
-        if (len(start.cameras) == count and start.fixed is not None) or n > _LOOK_FOR_RIG:
+        if (len(start.cameras) == count and start.fixed is not None) or n > _MOST_RIG_MESSAGES:
             break
     _take_first(source, topics.CAMERA_POSE, start, "exact")
     if start.exact is None and start.fixed is None:
@@ -156,7 +156,7 @@ class _Current:
     count: int = 2
     cameras: dict[str, Camera] = field(default_factory=dict)
     pose: CameraPose | None = None
-    exact_at: int = -1  # log time of a pose to the last bit, which a transform does not replace
+    exact_at: int = -1  # log time of an exact pose, which a transform does not replace
     latest: dict[str, bytes] = field(default_factory=dict)
 
     def take(self, raw: RawMessage, left_out: LeftOut) -> bool:
@@ -187,7 +187,7 @@ class _Current:
         return False
 
     def rig(self) -> StereoRig | None:
-        """None where something is missing, or left and right are not of one calibration yet."""
+        """None if a part is missing, or left and right are from different calibrations."""
         if len(self.cameras) < self.count or self.pose is None:
             return None
         try:
@@ -200,7 +200,7 @@ def rig_changes(source: McapInput, moving: CameraPose | None) -> Iterator[tuple[
     """Yields (log time ns, rig) of each calibration, including the first; it is valid until the
     next.
 
-    ``moving`` is the pose at the start of a camera whose poses come with the images.
+    ``moving`` is the initial pose of a camera whose poses are sent with the images.
     """
     pose_topics = [] if moving is not None else [topics.TF_STATIC, topics.CAMERA_POSE]
     current, changed = _Current(camera_count(source), pose=moving), -1

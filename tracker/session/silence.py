@@ -1,4 +1,4 @@
-"""Times without messages from a device of a session.
+"""Finds times without messages from a device of a session.
 
 A glove that was disconnected has not lost packets by its counter, which restarts.
 """
@@ -13,7 +13,7 @@ from tracker.session.ros import topics
 
 SILENT = 1.0  # s without a message after which a device counts as not responding
 IMAGES = ("compressed", "blobs")  # the ends of their topics' names
-PAUSED = 2.5  # s without a status, of which there is one a second: the recording was paused
+PAUSED = 2.5  # s without a status (one a second): the recording was paused
 
 
 def silences(log_times: Mapping[str, Sequence[int]], span_ns: tuple[int, int]) -> dict[str, float]:
@@ -33,7 +33,7 @@ def silences(log_times: Mapping[str, Sequence[int]], span_ns: tuple[int, int]) -
 
 
 def _device(topic: str) -> str:
-    """The one that a measured topic is of; empty for others."""
+    """The device of a sensor's topic; empty for other topics."""
     parts = topic.split("/")
     if topic.startswith("/glove/") and "imu" in parts:
         return "/".join(parts[:3])
@@ -41,7 +41,7 @@ def _device(topic: str) -> str:
 
 
 def _pauses(status: Sequence[int]) -> np.ndarray:
-    """(n, 2) ns from a status to the next that is too late."""
+    """(n, 2) ns from a status to the next, if that is late."""
     t = np.sort(np.asarray(status, np.int64))
     late = np.diff(t) > PAUSED * 1e9
     return np.column_stack((t[:-1][late], t[1:][late])) if len(t) else np.empty((0, 2), np.int64)

@@ -33,9 +33,8 @@ def require_match(state: Any, fresh: Any, engine: str) -> None:
 
 
 def mismatch(state: Any, fresh: Any) -> str | None:
-    """Where ``state`` is not one of the engine whose state at rest is ``fresh``; None where it is.
-
-    The answer names the part, for whoever looks into it.
+    """The first part of ``state`` that does not match the engine with the initial state ``fresh``,
+    for diagnosis; None if all match.
     """
     checker = _Declarations()
     try:
@@ -49,13 +48,13 @@ def mismatch(state: Any, fresh: Any) -> str | None:
 
 class _Declarations:
     """Checks arrays against declared shapes. The sizes of the hand and the glove are those of the
-    state that is walked first."""
+    state that is checked first."""
 
     def __init__(self) -> None:
-        self._sizes: dict[str, Sizes] = {}  # of each part that is sized, by its path
+        self._sizes: dict[str, Sizes] = {}  # of each part with declared sizes, by its path
 
     def walk(self, value: Any, path: str, sizes: Sizes) -> None:
-        """All of ``value``; ``sizes`` are those of the part around it."""
+        """Checks ``value`` recursively; ``sizes`` are those of the enclosing part."""
         known = record_of(type(value))
         if known is not None and not isinstance(value, enum.Enum):
             self._record(value, known, path, sizes)
@@ -115,7 +114,7 @@ def _same_parts(state: Any, fresh: Any, path: str, shape: ArrayShape | None) -> 
 
 
 def _same_array(state: np.ndarray, fresh: np.ndarray, path: str) -> None:
-    """For an array without a declared shape, axes that are empty at rest may have grown."""
+    """For an array without a declared shape, axes that are initially empty may have grown."""
     same = state.dtype == fresh.dtype
     if same and fresh.shape != (0,):
         same = state.ndim == fresh.ndim

@@ -1,4 +1,4 @@
-"""A verdict on a session, with reasons."""
+"""Verifies a session and reports its faults."""
 
 from __future__ import annotations
 
@@ -27,13 +27,13 @@ from tracker.session.silence import silences
 _GAP_PERIODS = 3.5
 _CLOCK_JUMP_NS = 500_000_000
 MOST_NAMED = 5  # damaged messages of a topic
-_REMEMBERED = 64  # messages of an IMU that are compared with the next one
+_COMPARED = 64  # messages of an IMU that are compared with the next one
 
 
 @dataclass(frozen=True)
 class FileFinding:
-    """``severity`` error, warning or note; ``where`` a topic, a device, an attachment or a byte.
-    ``silence``: total s without messages from a device, 0 for other findings.
+    """``severity``: error, warning or note; ``where``: a topic, a device, an attachment or an
+    offset. ``silence``: total s without messages from a device, 0 for other findings.
     """
 
     severity: str
@@ -58,11 +58,11 @@ class _Track:
     steps: list[tuple[int, int]] = field(default_factory=list)  # ns, from this stamp
     backward: int = 0
     jumps: int = 0
-    late: list[int] = field(default_factory=list)  # ns by which the delay rose at once
+    late: list[int] = field(default_factory=list)  # ns by which the delay increased at once
     log_times: list[int] = field(default_factory=list)
     damaged: list[int] = field(default_factory=list)  # log times
     repeated: int = 0
-    recent: deque[bytes] = field(default_factory=lambda: deque(maxlen=_REMEMBERED))
+    recent: deque[bytes] = field(default_factory=lambda: deque(maxlen=_COMPARED))
     count: int = 0
 
 
@@ -114,7 +114,7 @@ def _container(reader: SessionReader) -> list[FileFinding]:
 
 
 def _description(reader: SessionReader) -> list[FileFinding]:
-    """Hand, glove and camera: there, readable, and fitting together."""
+    """Checks whether hand, glove and camera are present, readable and consistent."""
     names = [description.HAND, description.GLOVE]
     if reader.sides:
         names = [description.of_side(name, side) for name in names for side in reader.sides]
@@ -148,7 +148,7 @@ def _read_all(
         for m in messages:
             track = tracks.setdefault(m.topic, _Track())
             if _is_sound(m):
-                _follow(track, m)
+                _track(track, m)
             else:
                 track.damaged.append(m.log_time)
     return tracks, out
@@ -164,7 +164,7 @@ def _is_sound(m: RawMessage) -> bool:
     return True
 
 
-def _follow(track: _Track, m: RawMessage) -> None:
+def _track(track: _Track, m: RawMessage) -> None:
     track.count += 1
     track.log_times.append(m.log_time)
     if m.type not in MEASURED:
@@ -189,9 +189,9 @@ def _follow(track: _Track, m: RawMessage) -> None:
 def _judge_delay(track: _Track, step: int, delay: int) -> None:
     """Distinguishes late arrivals from a clock that jumps.
 
-    On an overloaded host a message arrives late while the stamps continue; the delay then returns
-    to the usual one, immediately if messages were lost. A clock that jumps moves the stamps: back,
-    or so far ahead that the delay falls below the usual one.
+    On an overloaded host, a message arrives late while the stamps continue; the delay then returns
+    to normal, immediately if messages were lost. A clock that jumps changes the stamps: backwards,
+    or so far ahead that the delay falls below normal.
     """
     change = delay - track.last_delay
     if abs(change) <= _CLOCK_JUMP_NS:
@@ -241,11 +241,11 @@ def _gaps(topic: str, track: _Track) -> list[FileFinding]:
 
 
 def _edits(reader: SessionReader) -> list[FileFinding]:
-    """What was interpolated, and whether the file calls any of it measured."""
+    """Lists interpolated values; an error if one has the state measured."""
     try:
         found = [FileFinding("note", plain(line), NAME) for line in lines(reader.edits)]
         sides = {f.side for edit in reader.edits for f in edit.filled}
-        wrong = sum(_called_measured(reader.path, side) for side in sorted(sides))
+        wrong = sum(_is_stored_as_measured(reader.path, side) for side in sorted(sides))
     except GlovetrackError as error:
         return [FileFinding("error", error.notice, NAME)]
     if wrong:
@@ -253,7 +253,7 @@ def _edits(reader: SessionReader) -> list[FileFinding]:
     return found
 
 
-def _called_measured(path: Path, side: str) -> int:
+def _is_stored_as_measured(path: Path, side: str) -> int:
     with SessionReader(path, side=side) as reader:
         hand, info = recorded_series(reader, segments=False), reader.info
         names = info.keypoint_names, info.hand.joint_names
@@ -262,7 +262,7 @@ def _called_measured(path: Path, side: str) -> int:
 
 
 def _missing(reader: SessionReader, tracks: dict[str, _Track]) -> list[FileFinding]:
-    """Topics that a session of this glove should have."""
+    """Topics that a session of this glove should have but lacks."""
     try:
         info = reader.info
     except GlovetrackError:

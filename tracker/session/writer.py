@@ -1,4 +1,4 @@
-"""Recording a session. Called from one thread; what may wait is queued by the caller."""
+"""Records a session. Called from one thread; callers that must not block queue their messages."""
 
 from __future__ import annotations
 
@@ -35,17 +35,17 @@ class RecorderParams:
     jpeg_quality: int = 90
     compression: str = "lz4"  # or zstd, none
     chunk_bytes: int = 64 * 1024
-    chunk_s: float = 0.4  # a kill loses at most this much and what is being written
+    chunk_s: float = 0.4  # at most this and the chunk being written is lost by a kill
     warn_free_gb: float = 5.0
     stop_free_gb: float = 1.0
     check_disk_s: float = 2.0
-    sync: bool = True  # hold against a loss of power too
+    sync: bool = True  # synchronise with the disk, against loss of power
     sync_in_thread: bool = False  # in a thread of its own: writing does not wait for the disk
 
 
 @dataclass(frozen=True)
 class RecorderStatus:
-    """For the screen. ``warning`` is a sentence or empty."""
+    """The status for display. ``warning`` is a sentence or empty."""
 
     path: Path
     size_bytes: int
@@ -58,7 +58,7 @@ class RecorderStatus:
 
 def load_describer() -> Callable[[SessionInfo], str]:
     """Imports the description of the hand, with scipy, which takes a second. A process that waits
-    for a recording calls this before, so that a recording's first second is not missing."""
+    for a recording calls this in advance, so that the first second is not lost."""
     from tracker.session.export.urdf import robot_description
 
     return robot_description
@@ -67,8 +67,8 @@ def load_describer() -> Callable[[SessionInfo], str]:
 class SessionRecorder:
     """Writes one session to ``path``, a new file, or a new name in it if it is a folder.
 
-    Raises FileError if the file exists or cannot be written, and from `write` when the disk fills
-    up or goes away; by then the file is closed and whole.
+    Raises FileError if the file exists or cannot be written, and from `write` if the disk fills up
+    or is disconnected; the file is then closed and whole.
     """
 
     def __init__(
@@ -84,7 +84,7 @@ class SessionRecorder:
             path = automatic_path(path, info.anchor.wall_ns, info.participant)
         self.path, self.info, self._measure_free = path, info, free
         self._free = free(path.parent)
-        self._messages = self._frames = self._thinned = 0
+        self._messages = self._frames = self._omitting_images = 0
         if path.parent.is_dir():
             self._check_room()
         self._out: McapOutput | None = self._open()
@@ -132,7 +132,13 @@ class SessionRecorder:
             problem = str(warning("recording.disk_low", **low))
         size = self._out.size if self._out else _size_on_disk(self.path)
         return RecorderStatus(
-            self.path, size, self._messages, self._frames, self._thinned, self._free, problem
+            self.path,
+            size,
+            self._messages,
+            self._frames,
+            self._omitting_images,
+            self._free,
+            problem,
         )
 
     @property
@@ -144,10 +150,10 @@ class SessionRecorder:
 
         ``side``: the hand of the message, in a session of both.
 
-        FrameResult is not written: it follows from the rest.
+        FrameResult is not written: it can be computed from the others.
         """
         if isinstance(message, StereoFrame):
-            self._thinned += overloaded
+            self._omitting_images += overloaded
             self._frames += not overloaded
             if overloaded:
                 return False
@@ -168,7 +174,7 @@ class SessionRecorder:
         self._guarded(lambda out: out.attach_bytes(name, kind, data, when))
 
     def flush(self) -> None:
-        """Does nothing: messages are in the file, or in the current chunk."""
+        """Does nothing: messages are in the file or the current chunk."""
 
     def write_packed(self, frame: PackedFrame) -> None:
         """Images that are compressed already, byte for byte."""
@@ -178,13 +184,13 @@ class SessionRecorder:
     def write_camera(
         self, t: float, t_arrival: float, pose: CameraPose, exact: bool = True
     ) -> None:
-        """Where the camera was at an exposure, once; ``exact``: to the last bit, too."""
+        """Writes the camera's pose at an exposure, once; ``exact``: also without rounding."""
         self._guarded(
             lambda out: self._put(out, self._encoder.camera_pose(t, t_arrival, pose, exact))
         )
 
     def write_truth(self, truth: Estimate, side: str = "") -> None:
-        """What a simulated hand really did at an instant."""
+        """Writes the true pose of a simulated hand."""
         self._guarded(lambda out: self._put(out, self._encoders[side].truth(truth)))
 
     def write_rig(self, rig: StereoRig, t: float) -> None:
@@ -255,9 +261,9 @@ def new_session(
     inputs: Sequence[Path] = (),
     params: RecorderParams | None = None,
 ) -> Iterator[SessionRecorder]:
-    """A recorder for a file that is made, not recorded: there whole at the end, or not at all.
+    """A recorder for a file that is generated, not recorded: whole or absent at the end.
 
-    Nothing is lost when its disk fills up, so it may be filled to the last byte. Raises FileError
+    Nothing is lost if the disk fills up, so no space is reserved. Raises FileError
     as `tracker.base.files.whole_file` does.
     """
     params = replace(params or RecorderParams(), sync=False, stop_free_gb=0.0)

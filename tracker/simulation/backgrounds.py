@@ -91,7 +91,7 @@ def _painted(params: BackgroundParams, width: int, height: int, rng: np.random.G
     for _ in range(25):
         _box(image, rng)
     for _ in range(params.blobs):
-        _thing(image, rng)
+        _blob(image, rng)
     return cv2.GaussianBlur(image, (0, 0), 0.8).astype(np.uint8)
 
 
@@ -103,7 +103,7 @@ def _box(image: Image, rng: np.random.Generator) -> None:
     cv2.rectangle(image, (x, y), (x + dx, y + dy), tuple(map(float, np.clip(grey, 0, 255))), -1)
 
 
-def _thing(image: Image, rng: np.random.Generator) -> None:
+def _blob(image: Image, rng: np.random.Generator) -> None:
     """A coloured ellipse, about as large as a marker at 25 to 60 cm."""
     h, w = image.shape[:2]
     name = str(rng.choice(["red", "yellow", "green", "blue"]))

@@ -40,7 +40,7 @@ class BoardCamera:
         self._next = 0
 
     def open(self) -> None:
-        """Takes a second, for the computation of every pixel's ray."""
+        """Compute every pixel's ray, which takes a second."""
         self._renderer = BoardRenderer(self._rig, self._spec, noise=0.0)
 
     def read(self) -> Pair | None:

@@ -60,10 +60,10 @@ class SimulatedCamera:
         self._events: list[Event] = []
         self._asked: deque[PostureRequest] = (
             deque()
-        )  # from other threads, sent by the reading thread
+        )  # requests of other threads, sent by the reading thread
         self._closed = False
         self._pipe, self._process = start_child(
-            "glovetrack-camera", _draw_for_ever, spec, self._memory.name, self._shape, drawn
+            "glovetrack-camera", _draw_on_demand, spec, self._memory.name, self._shape, drawn
         )
 
     def wait_ready(self, timeout: float) -> bool:
@@ -88,7 +88,7 @@ class SimulatedCamera:
     def read(self, timeout: float) -> StereoFrame | None:
         """The next image pair at its time of arrival; None if none arrives within ``timeout``."""
         if self._closed:
-            time.sleep(timeout)  # prevents callers from spinning
+            time.sleep(timeout)  # keeps callers from polling without pause
             return None
         try:
             while self._asked:
@@ -104,7 +104,7 @@ class SimulatedCamera:
         if wait > 0:
             time.sleep(min(wait, 1.0))
         frame = self._frame(drawn, max(due, seconds(time.monotonic_ns())))
-        with contextlib.suppress(OSError):  # it has ended: the next call reports it
+        with contextlib.suppress(OSError):  # the process has ended: the next call reports it
             self._pipe.send(drawn.slot)
         return frame
 
@@ -170,14 +170,14 @@ class NoSimulatedCamera(NoCamera):
 DemoCamera = SimulatedCamera | NoSimulatedCamera
 
 
-def _draw_for_ever(
+def _draw_on_demand(
     pipe: Connection, spec: DemoSpec, name: str, shape: tuple[int, ...], drawn: int
 ) -> None:
     """The other process: draws until the pipe is closed, or draws all images first."""
     memory = attached(name)
     try:
         images: NDArray[np.uint8] = np.ndarray(shape, np.uint8, buffer=memory.buf)
-        (_draw_before if drawn else _draw)(spec, images, pipe)
+        (_draw_in_advance if drawn else _draw)(spec, images, pipe)
     except (EOFError, BrokenPipeError, ConnectionResetError, KeyboardInterrupt):
         return
     finally:
@@ -210,7 +210,7 @@ def _draw(spec: DemoSpec, images: NDArray[np.uint8], pipe: Connection) -> None:
         pipe.send(_Drawn(slot, index, stamps.stamp(t), arrival))
 
 
-def _draw_before(spec: DemoSpec, images: NDArray[np.uint8], pipe: Connection) -> None:
+def _draw_in_advance(spec: DemoSpec, images: NDArray[np.uint8], pipe: Connection) -> None:
     """Draws as many images as there are buffers, then sends each at its time."""
     sim = build_scene(spec)
     stamps, drawn = JitteredStamps(sim.params.stamp_jitter, sim.seed), []

@@ -1,4 +1,4 @@
-"""Generates packets before they are due, so that they are not delayed by their generation."""
+"""Generates packets in advance, so that their generation does not delay them."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from tracker.messages import ImuSample
 
 PACKETS = 30  # packets in advance, 0.3 s: generating one second takes up to 0.1 s
-LOOK_EVERY = 0.2  # s between checks whether images are still requested
+POLL_INTERVAL = 0.2  # s between checks whether images are still requested
 
 
 class DrawnAhead:
@@ -50,7 +50,7 @@ class DrawnAhead:
     def _put(self, sample: ImuSample | None) -> bool:
         while not self._closed.is_set():
             try:
-                self._ready.put(sample, timeout=LOOK_EVERY)
+                self._ready.put(sample, timeout=POLL_INTERVAL)
             except queue.Full:
                 continue
             return True

@@ -26,7 +26,7 @@ NO_READING = -32768
 
 
 class ElectricFault:
-    """One of `ELECTRIC_FAULTS`, or none, as of ``now`` (s)."""
+    """One of `ELECTRIC_FAULTS`, or none, from ``now`` (s) on."""
 
     def __init__(self, kind: str, now: float, rng: np.random.Generator) -> None:
         if kind and kind not in ELECTRIC_FAULTS:
@@ -54,7 +54,7 @@ class ElectricFault:
         return frame
 
     def wire(self, data: bytes, now: float) -> bytes:
-        """What arrives of the bytes of a frame."""
+        """The bytes of a frame that arrive at the host."""
         if self.kind == "usb suspend":
             return b""
         if self.kind == "wrong baud":

@@ -1,4 +1,5 @@
-"""How people's end joints bend: each with a line of their own, and off it from posture to posture.
+"""Flexion of people's end joints: a personal linear relation, with deviations from posture to
+posture.
 
 Numbers and their sources: extensions/evaluation/docs/evaluation.md, "Simulated people".
 """
@@ -26,7 +27,7 @@ class EndJointParams:
 
     ratio_mean: float  # difference of the mean ratio over people from the hand file's
     ratio: float
-    middle_deg: float  # the angle of the joint before it at which people agree with the hand file
+    middle_deg: float  # angle of the preceding joint at which people agree with the hand file
     offset_deg: float
     posture_deg: float  # median over people, from posture to posture
     posture_spread: float  # of the logarithm of the line above

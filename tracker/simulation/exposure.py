@@ -55,7 +55,7 @@ SLOW_PX = 0.5
 
 
 class HandMotion(NamedTuple):
-    """The px/s by which the fastest segment moves, and the rows of an image in which all hands are,
+    """The speed (px/s) of the fastest segment, and the rows of an image that contain all hands:
     from the first to before the last."""
 
     speed: float
@@ -63,7 +63,7 @@ class HandMotion(NamedTuple):
 
 
 def motion_at(scene: Scene, t: float) -> HandMotion:
-    """How the hands move about the time t (s)."""
+    """The motion of the hands around the time t (s)."""
     p_CB, rig = scene.positions(t + np.array([-SPEED_STEP, SPEED_STEP])), scene.rig
     path = float(np.abs(p_CB[1] - p_CB[0]).max())
     depth = max(float(p_CB[0, 0, 2]), 0.05)

@@ -1,4 +1,5 @@
-"""Lamps at the mains: their light flickers at twice its frequency, which images show as bands."""
+"""Mains-powered lamps: their light flickers at twice the mains frequency, which causes bands in
+images."""
 
 from __future__ import annotations
 
@@ -26,7 +27,7 @@ class FlickerParams:
 
 
 class Exposure(NamedTuple):
-    """``shutter`` s that each row is exposed for; the middles of the first and the last row are
+    """Each row is exposed for ``shutter`` s; the midpoints of the first and the last row are
     ``readout`` s apart."""
 
     shutter: float
@@ -34,7 +35,7 @@ class Exposure(NamedTuple):
 
 
 def row_gains(rows: int, t: float, exposure: Exposure, params: FlickerParams) -> Array:
-    """(rows,) by which the values of an image's rows are multiplied."""
+    """(rows,) factors for the values of an image's rows."""
     hz = 2 * params.mains_hz
     when = t + exposure.readout * np.linspace(-0.5, 0.5, rows)
     mean_of_shutter = float(np.sinc(hz * exposure.shutter))
@@ -50,7 +51,7 @@ class Lamps:
         self._exposure, self._params = exposure, params or FlickerParams()
 
     def gains(self, rows: int, t: float) -> NDArray[np.float32]:
-        """(rows,) `row_gains` of the image with the midpoint t (s); 1 where nothing flickers."""
+        """(rows,) `row_gains` of the image with the midpoint t (s); 1 without flicker."""
         if self._params.depth == 0.0:
             return np.ones(rows, np.float32)
         return row_gains(rows, t, self._exposure, self._params).astype(np.float32)

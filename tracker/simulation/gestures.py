@@ -115,7 +115,8 @@ def gesture_angles(hand: HandModel, gesture: str, wearer: Wearer | None = None) 
 
 
 def _turning(t: Array, hold: float) -> Array:
-    """To one side before t = 0, to the other and back within ``hold`` s, then upright again."""
+    """Rotation to one side before t = 0, to the other and back within ``hold`` s, then upright
+    again."""
     inside = np.cos(2 * np.pi * np.clip(t / hold, 0, 1))
     return minimum_jerk(t / MOVE + 1) * inside * (1 - minimum_jerk((t - hold) / MOVE))
 
@@ -128,7 +129,9 @@ def pinch(hand: HandModel, finger: str, wearer: Wearer | None = None) -> Array:
     away in the hand of the file, too: unsensed joints are inferred from it, so the wearer's pinch
     must be equally clear.
     """
-    moved = [n for n in hand.joint_names if n.startswith("thumb_") and n not in _given(hand)]
+    moved = [
+        n for n in hand.joint_names if n.startswith("thumb_") and n not in _driven_angles(hand)
+    ]
     group = ("index",) if finger == "index" else FINGERS[1:]
     bent = [f"{group[0]}_{joint}_flexion" for joint in ("mcp", "pip")]
     rows = [hand.angle_index[n] for n in (*moved, *bent)]
@@ -142,7 +145,7 @@ def pinch(hand: HandModel, finger: str, wearer: Wearer | None = None) -> Array:
         for name, value in given.items():
             for one in (name.replace(group[0], f) for f in group) if name in bent else (name,):
                 out[hand.angle_index[one]], known[hand.angle_index[one]] = value, True
-        return hand.apply_synergies(out, np.asarray(known | ~_sourced(hand), float))[0]
+        return hand.apply_synergies(out, np.asarray(known | ~_is_synergy(hand), float))[0]
 
     def cost(x: Array) -> float:
         angles = angles_of(x)
@@ -156,7 +159,8 @@ def pinch(hand: HandModel, finger: str, wearer: Wearer | None = None) -> Array:
 
 
 def _too_near(reach: dict[str, float], finger: str, apart: float) -> float:
-    """m²: by how much other tips are closer than ``apart`` m beyond that of ``finger``."""
+    """m²: squared shortfall of the other tips' distances, which should exceed that of ``finger`` by
+    ``apart`` m."""
     others = (d for name, d in reach.items() if name != finger)
     return sum(max(reach[finger] + apart - d, 0.0) ** 2 for d in others)
 
@@ -172,11 +176,11 @@ def tip_distances(hand: HandModel, angles: Array, wearer: Wearer | None = None) 
     return {f: float(np.linalg.norm(tip[f] - tip["thumb"])) for f in FINGERS}
 
 
-def _given(hand: HandModel) -> set[str]:
-    """Driven angles."""
+def _driven_angles(hand: HandModel) -> set[str]:
+    """The angles that are set directly, without synergies."""
     return {s.angle for s in hand.synergies}
 
 
-def _sourced(hand: HandModel) -> NDArray[np.bool_]:
+def _is_synergy(hand: HandModel) -> NDArray[np.bool_]:
     """(J,) bool: angles computed by a synergy."""
-    return np.array([n in _given(hand) for n in hand.joint_names])
+    return np.array([n in _driven_angles(hand) for n in hand.joint_names])

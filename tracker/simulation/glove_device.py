@@ -117,13 +117,13 @@ class SimulatedGlove:
         try:
             import pty
             import tty
-        except ImportError as error:  # Windows has neither
+        except ImportError as error:  # missing on Windows
             raise DeviceError(notice("simulator.no_terminal")) from error
         self._master, slave = pty.openpty()
         tty.setraw(slave)
         os.set_blocking(self._master, False)
         self.path = os.ttyname(slave)
-        self._slave = slave  # kept open, so that the line persists when a host disconnects
+        self._slave = slave  # open, so that the line persists when a host disconnects
         self._unsent = bytearray()
         self._decoder = FrameDecoder()
 
@@ -153,8 +153,8 @@ class SimulatedGlove:
     def fail(self, kind: str) -> None:
         """Start one of `ELECTRIC_FAULTS`; an empty ``kind`` ends it.
 
-        A busy or forbidden port affects programs that open it from now on; the superuser may open
-        a forbidden one. Raises ValueError for an unknown kind.
+        The faults busy and forbidden apply to programs that open the port from now on; the
+        superuser may open a forbidden port. Raises ValueError for an unknown kind.
         """
         import fcntl
 
@@ -164,7 +164,7 @@ class SimulatedGlove:
                 return
             fcntl.flock(self._slave, fcntl.LOCK_UN)
             if kind == "port busy":
-                with contextlib.suppress(BlockingIOError):  # the host has it open itself
+                with contextlib.suppress(BlockingIOError):  # this host has it open
                     fcntl.flock(self._slave, fcntl.LOCK_EX | fcntl.LOCK_NB)
             Path(self.path).chmod(0 if kind == "port denied" else 0o620)
 
@@ -178,7 +178,7 @@ class SimulatedGlove:
     # ---- the firmware
 
     def _run(self) -> None:
-        run_soon()  # a device does not share a processor
+        run_soon()  # a real device has its own processor
         pending: list[bytes] = []
         last_hello = last_status = last_flush = float("-inf")
         baud = self.params.wire_baud
@@ -215,7 +215,7 @@ class SimulatedGlove:
                     pending.clear()
 
     def _temperatures(self, now: float) -> Temperatures:
-        """For each IMU, as the source of the samples has them."""
+        """The temperature of each IMU, from the source of the samples."""
         celsius = self._temperature(np.array([now - self._t_0]))[0]
         return Temperatures(tuple(round(100 * float(c)) for c in celsius[: self._imu_count]))
 

@@ -33,7 +33,7 @@ class _Begin(NamedTuple):
     t_0: float
 
 
-class _There(NamedTuple):
+class _LinePaths(NamedTuple):
     """The gloves' pseudo-terminals, by side."""
 
     paths: dict[str, str]
@@ -96,7 +96,7 @@ def _serve(pipe: Connection, spec: DemoSpec) -> None:
         except GlovetrackError as error:
             pipe.send(_Failed(error.notice))
             return
-        pipe.send(_There({side: device.path for side, device in devices.items()}))
+        pipe.send(_LinePaths({side: device.path for side, device in devices.items()}))
         while True:
             item: _Begin | PostureRequest = pipe.recv()
             if isinstance(item, PostureRequest):

@@ -1,7 +1,7 @@
 """A wearer who performs the guided poses before moving freely, with human inaccuracy.
 
-Poses with contact are solved on the wearer's own hand, by inverse kinematics: bone lengths, axes
-and synergies determine how two pads can meet.
+Poses with contact are solved by inverse kinematics on the wearer's own hand: bone lengths, axes and
+synergies determine how two pads can touch.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from tracker.simulation.wearer import Wearer
 
 FIRST = 2.0  # s flat and in view before the first pose
 SOLVED = 8  # steps of an iteration whose error shrinks in each
-ALL_TRIED = 3  # initial values of a pinch that are always tried, before those for unusual joints
+ALL_TRIED = 3  # initial values that are tried for every pinch, before those for unusual joints
 GOOD_TOUCH = 20.0  # half the sum of a pinch's squared misfits
 PAD = 0.006  # m from a fingertip to the centre of its pad
 
@@ -102,7 +102,7 @@ class GuidedPoses:
 
     @property
     def events(self) -> list[Event]:
-        """Instructions to the wearer as events, in order of time."""
+        """The instructions to the wearer as events, in order of time."""
         out = []
         for p in self._held:
             out += [began(p.name, p.begin), ended(p.name, p.end, held=True)]
@@ -177,7 +177,7 @@ class HeldHand:
         """The angles (J,) rad to which the wearer's deviations add up to ``forced``."""
         out, columns = angles.copy(), list(forced)
         wanted = np.array(list(forced.values()))
-        for _ in range(SOLVED):  # a deviation depends on its own angle only near the limits
+        for _ in range(SOLVED):  # a deviation depends on its own angle near the limits only
             out[columns] = wanted - self._wearer.beyond_synergies(out, t)[columns]
         return out
 

@@ -16,7 +16,8 @@ class HeadParams:
     """Standard deviations along or about each axis; all zero for a static camera.
 
     ``turn_deg`` (°/s) is the peak rate of a head that turns from side to side with ``turn_hz`` Hz.
-    ``tells``: its reports, "pose" with each image, the measurements of its "imu", or "nothing".
+    ``tells``: what it reports: its "pose" with each image, the measurements of its "imu", or
+    "nothing".
     """
 
     sway_mm: float = 0.0

@@ -117,7 +117,7 @@ def true_imu(
 ) -> tuple[Array, Array]:
     """Specific force (n, I, 3) m/s² and angular rate (n, I, 3) rad/s in each I, without errors.
 
-    ``late`` (I,) s, at most `STEP`: how much later than t each IMU is read.
+    ``late`` (I,) s, at most `STEP`: the delay after t at which each IMU is read.
 
     Central differences of second order: f = R_GIᵀ (p'' - g), ω = Log(R(t-h)ᵀ R(t+h)) / 2h.
     """

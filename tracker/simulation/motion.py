@@ -85,7 +85,8 @@ ALONG, DOWN = (0.8, 1.6), (0.6, 2.3)
 
 @dataclass(frozen=True, eq=False)
 class Swinging:
-    """A motion carried to and fro before a camera, at ``speed`` m/s where it is fastest."""
+    """A motion that is moved to and fro in front of a camera, with a peak speed of ``speed``
+    m/s."""
 
     motion: SimulatedMotion
     speed: float

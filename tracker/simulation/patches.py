@@ -32,7 +32,7 @@ def sample_pattern() -> Array:
 
 class PatchShapes(NamedTuple):
     """Patches of M markers: outward normal (M, 3) in their segment's B, size (M,) m, `CIRCLE` or
-    `SQUARE` (M,), segment (M,), and flat (M,) 1 for a patch on a plane, else it is wrapped around
+    `SQUARE` (M,), segment (M,), and flat (M,), 1 for a patch on a plane, otherwise wrapped around
     the bone."""
 
     normal: Matrix

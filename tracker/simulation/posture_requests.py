@@ -1,4 +1,4 @@
-"""A motion that a simulated wearer interrupts for requested postures."""
+"""A simulated wearer's motion, interrupted for requested postures."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ AHEAD = 1.6
 second before they are sent (`tracker.simulation.drawn_ahead`)."""
 TURN = np.deg2rad(60.0)  # of the wrist, to either side
 SWAY_DEG = 0.8  # sd of a hand that holds a posture
-AT_REST = 0.2  # of the sway remains in a hand that rests on something
+AT_REST = 0.2  # share of the sway that remains while the hand rests on something
 SWAY_TIME = 0.8  # s, correlation
 
 
 class PostureRequest(NamedTuple):
-    """From ``t`` (s) on the hand assumes a posture of ``angles`` (J,) rad, in front of the camera;
-    without any it continues its own motion. ``turning`` is the period (s) of an alternating
+    """From ``t`` (s) on, the hand assumes a posture of ``angles`` (J,) rad in front of the camera;
+    without angles it resumes its own motion. ``turning`` is the period (s) of an alternating
     rotation about the forearm during the posture; 0: none. ``place``: R_GB by rows and p_GB (m) of
     a hand that rests there. ``move`` (s): of the transition."""
 
@@ -86,7 +86,7 @@ class RequestedMotion:
 
     def poses(self, t: Array) -> Poses:
         t = np.asarray(t, float)
-        count = self._that_count(float(t.min(initial=np.inf)))
+        count = self._relevant(float(t.min(initial=np.inf)))
         # including the times of requests: they determine the sign of the quaternions
         at = np.concatenate([t, [a.t for a in count]])
         out = own = self._own.poses(at)
@@ -97,7 +97,7 @@ class RequestedMotion:
         n = len(t)
         return Poses(out.angles[:n], out.R_GB[:n], out.p_GB[:n])
 
-    def _that_count(self, t: float) -> tuple[PostureRequest, ...]:
+    def _relevant(self, t: float) -> tuple[PostureRequest, ...]:
         """The last request reached by ``t``, and all later ones."""
         asked = self.asked
         reached = [k for k, a in enumerate(asked) if a.t + a.move <= t]

@@ -22,7 +22,7 @@ APART_DEG = {
 """Standard deviation from the neighbour towards the thumb, besides that of the kind of posture.
 With it, ring and little finger differ from their neighbours as in recordings of people who handle
 objects (extensions/evaluation/docs/evaluation.md)."""
-STRAIGHT_OR_CLOSED = 0.4  # of these deviations where all fingers are straight, or closed
+STRAIGHT_OR_CLOSED = 0.4  # of these deviations remain if all fingers are straight or closed
 
 
 def random_posture(hand: HandModel, rng: Generator, holding: bool = False) -> Array:
@@ -57,7 +57,7 @@ def _side(hand: HandModel, name: str) -> float:
 
 
 def _fingers(rng: Generator, mcp: float, pip: float, spread: float, own: float) -> Angles:
-    """All four fingers about one flexion, each with ``own`` degrees of deviation; neighbours are
+    """All four fingers around one flexion, each with a deviation of ``own`` degrees; neighbours are
     correlated."""
     angles: Angles = {}
     wander = np.cumsum(rng.normal(0, own, (4, 2)), axis=0)
@@ -80,8 +80,8 @@ def _thumb(rng: Generator, flexion: float, abduction: float, mcp: float) -> Angl
 
 
 def _apart(rng: Generator, angles: Angles, share: float) -> Angles:
-    """The angles with ring and little finger bent independently, the little as far as the ring and
-    its own deviation."""
+    """The angles with ring and little finger bent independently of the others: the little finger as
+    far as the ring finger, plus its own deviation."""
     out, carried = dict(angles), {"mcp": 0.0, "pip": 0.0}
     for (finger, joint), sd in APART_DEG.items():
         carried[joint] += share * rng.normal(0, sd)

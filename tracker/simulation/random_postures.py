@@ -105,16 +105,16 @@ class RandomPostures:
         if len(self._start) == 0:
             k, share = np.zeros(len(t), int), np.zeros(len(t))
             still = np.repeat(self._R[:1], len(t), axis=0)
-            return self._alive(t, self._angles[k], still, self._p[k])
+            return self._with_sway(t, self._angles[k], still, self._p[k])
         k = np.clip(np.searchsorted(self._start, t, side="right") - 1, 0, None)
         share = minimum_jerk((t - self._start[k]) / self._move[k])
         blend = share[:, None]
         angles = self._angles[k] + blend * (self._angles[k + 1] - self._angles[k])
         R = self._R[k] @ so3.exp(blend * self._turn[k])
         p = self._p[k] + blend * (self._p[k + 1] - self._p[k])
-        return self._alive(t, angles, R, p)
+        return self._with_sway(t, angles, R, p)
 
-    def _alive(self, t: Array, angles: Array, R: Array, p: Array) -> Poses:
+    def _with_sway(self, t: Array, angles: Array, R: Array, p: Array) -> Poses:
         """Add sway and tremor, since no hand is completely still."""
         a = self._params
         sway, tremor = self._sway(t), self._tremor(t)

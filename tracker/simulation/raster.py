@@ -225,16 +225,16 @@ def _span(view: PixelRays, thick: Capsule, band: Tile) -> tuple[int, int]:
     The image of a capsule is convex, so tiles between two that it touches are not tested.
     """
     u0, u1 = band.u0, band.u1
-    while u0 < u1 and _is_beside(view, thick, Tile(band.v0, u0, band.v1, min(u0 + TILE, u1))):
+    while u0 < u1 and _misses_tile(view, thick, Tile(band.v0, u0, band.v1, min(u0 + TILE, u1))):
         u0 += TILE
     u0 = min(u0, u1)
-    while u0 < u1 and _is_beside(view, thick, Tile(band.v0, max(u1 - TILE, u0), band.v1, u1)):
+    while u0 < u1 and _misses_tile(view, thick, Tile(band.v0, max(u1 - TILE, u0), band.v1, u1)):
         u1 = max(u1 - TILE, u0)
     return u0, u1
 
 
 @kernel(fastmath=True, error_model="numpy", inline="always")
-def _is_beside(view: PixelRays, thick: Capsule, tile: Tile) -> bool:
+def _misses_tile(view: PixelRays, thick: Capsule, tile: Tile) -> bool:
     """Whether the central ray of a tile misses a capsule."""
     v, u = (tile.v0 + tile.v1) // 2, (tile.u0 + tile.u1) // 2
     x, y = view.slope[v, u, 0] + view.jitter[0], view.slope[v, u, 1] + view.jitter[1]

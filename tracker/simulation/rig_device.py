@@ -37,7 +37,7 @@ from tracker.vision.rig import StereoRig
 
 Image = NDArray[np.uint8]
 QUALITY = 92  # of JPEG
-HELD = 0.8  # s for which the board is at rest in each pose
+HELD = 0.8  # s, duration of each pose of the board
 SMALLER = 0.75  # size of the right image of separate cameras, relative to the left one
 
 
@@ -57,7 +57,8 @@ class ImagePipe:
             raise FileError(notice("file.not_created", path=path, why=error.strerror)) from error
 
     def put(self, image: Image) -> bool:
-        """Write the next image, (h, w, 3); blocks for a slow reader. False if there is none."""
+        """Write the next image, (h, w, 3); blocks for a slow reader. Returns False without a
+        reader."""
         if self._pipe < 0 and not self._open():
             return False
         data = cv2.imencode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, QUALITY])[1].tobytes()
@@ -117,7 +118,7 @@ class RigCamera:
         return self._senders[0].taken
 
     def put(self, pair: Pair) -> None:
-        """Send the next images of both cameras, or of the only one. Never blocks."""
+        """Send the next images of both cameras, or of the only one, without blocking."""
         eyes = [image for image in pair if image is not None]
         if not self._apart:
             self._senders[0].put(np.hstack(eyes))
@@ -151,7 +152,7 @@ class HeldBoard:
     """Images of a board held still in front of a rig, in successive poses."""
 
     def __init__(self, rig: StereoRig, seed: int, spec: BoardSpec | None = None) -> None:
-        """Takes a second, for the computation of every pixel's ray."""
+        """Computes every pixel's ray, which takes a second."""
         self._rig, self._seed, self._spec = true_rig(rig), seed, spec or BoardSpec()
         self._renderer = BoardRenderer(self._rig, self._spec, noise=0.0)
         self._drawn: tuple[int, Pair] | None = None
@@ -259,7 +260,7 @@ class SimulatedRig:
         self._board = HeldBoard(self._seen_by, self._seed) if held else None
         return "The board is before the camera." if held else "The hand is before the camera."
 
-    def heed(self, words: str) -> str:
+    def execute(self, words: str) -> str:
         """Execute a command such as ``unplug left``, ``plug left``, ``fault left flexed cable``,
         ``board`` or ``hand``; returns a report, or the list of commands."""
         verb, _, side = words.strip().partition(" ")

@@ -1,7 +1,7 @@
-"""A simulated stereo camera as real ones are: its lenses distort, and its calibration is not exact.
+"""Errors of a simulated stereo camera: its lenses distort, and its calibration is not exact.
 
-A board calibration leaves reprojection errors of about 0.3 px and an error of the baseline of about
-0.3 %, because the printed squares have that tolerance.
+Calibration with a board leaves reprojection errors of about 0.3 px and a baseline error of about
+0.3 %, the tolerance of the printed squares.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ GRID = 17
 class RigErrorParams:
     """Errors of a calibration. Default: none.
 
-    ``pixel_px`` is the root mean square over each image by which the calibration misplaces points;
+    ``pixel_px`` is the RMS error over each image of points projected with the calibration;
     ``baseline`` the relative error of the cameras' distance; ``pitch_px`` and ``roll_deg`` are the
-    rotation of the right camera since it was calibrated: the rows by which it moves the middle of
-    the image down, and the angle about the optical axis.
+    rotation of the right camera since its calibration: the downward shift of the image's middle in
+    rows, and the angle about the optical axis.
     """
 
     pixel_px: float = 0.0
@@ -74,7 +74,7 @@ def _lens(camera: Camera, p: LensParams, rng: np.random.Generator) -> Camera:
 
 
 def true_camera(rig: StereoRig, seed: int, params: RigErrorParams) -> StereoRig:
-    """The rig that took the images of a device whose calibration is ``rig``."""
+    """The true rig of a device whose calibration is ``rig``."""
     if params == RigErrorParams():
         return rig
     rng = rng_for(seed, "calibration")
@@ -100,8 +100,8 @@ def _turned(camera: Camera, turn: Array) -> Camera:
 
 
 def _misplaced(camera: Camera, rng: np.random.Generator, pixel_px: float, turns: bool) -> Camera:
-    """A camera whose points are ``pixel_px`` (RMS) from where ``camera`` images them: by errors of
-    its focal length, centre, distortion and, if it ``turns``, rotation."""
+    """A camera whose image points differ from those of ``camera`` by ``pixel_px`` (RMS), because of
+    errors of focal length, centre, distortion and, if ``turns`` is set, rotation."""
     if pixel_px == 0.0:
         return camera
     f = camera.K[0, 0]
@@ -121,7 +121,7 @@ def _misplaced(camera: Camera, rng: np.random.Generator, pixel_px: float, turns:
 
 
 def _displacement(a: Camera, b: Camera) -> float:
-    """px, root mean square over the image."""
+    """RMS displacement over the image, px."""
     u, v = np.meshgrid(*((np.arange(GRID) + 0.5) * n / GRID - 0.5 for n in (a.width, a.height)))
     uv = a.rectify(np.column_stack([u.ravel(), v.ravel()]))
     off = b.unrectify(uv) - a.unrectify(uv)

@@ -1,4 +1,4 @@
-"""The rooms available for images, by name, and the wearer's forearm.
+"""The rooms that images can show, by name, and the wearer's forearm.
 
 Packages add rooms as entry points of the group ``glovetrack.scenes`` that name a `SceneKind`.
 """
@@ -70,8 +70,8 @@ class Room(NamedTuple):
 
 @dataclass(frozen=True)
 class SceneKind:
-    """A room of another package: ``make(rig, seed)`` returns it as the rig's cameras, which do not
-    move, see it. ``name`` is the entry point's."""
+    """A room of another package: ``make(rig, seed)`` returns it for the cameras of a rig, which do
+    not move. ``name`` is the entry point's."""
 
     name: str
     title: str

@@ -1,4 +1,4 @@
-"""Points of a moving scene when the rows that show them are exposed, one row after the other."""
+"""Samples points of a moving scene at the exposure of their rows, for rolling shutters."""
 
 from __future__ import annotations
 
@@ -9,12 +9,10 @@ import numpy as np
 from tracker.messages import Array, IntArray
 from tracker.vision.rig import Camera, StereoRig
 
-STEP = 2.5e-3  # s between instants, between which pixels move in straight lines to 0.03 mm
-MARGIN = 2e-3  # s that a point may move on in rows while the hand's rows are exposed
-LEAST_ROWS = 16  # of a band of an image: blocks of JPEG lie whole in one
-BAND_PX = (
-    0.7  # by default, by which a hand moves at most while a band is exposed, if that is tall enough
-)
+STEP = 2.5e-3  # s between instants; linear motion between them is accurate to 0.03 mm
+MARGIN = 2e-3  # s by which a point's row may be exposed outside of the hand's rows
+LEAST_ROWS = 16  # of a band of an image, so that no JPEG block is split
+BAND_PX = 0.7  # default maximum motion of a hand in a band, if that has more rows than the minimum
 
 BLURRED = 3  # exposures of an image with motion blur
 
@@ -28,15 +26,16 @@ class RowBand(NamedTuple):
 
 
 def row_delay(rig: StereoRig, camera: Camera, row: Array) -> Array:
-    """(…) s by which rows (…) px of one of the rig's images are exposed after its middle row."""
+    """(…) s from the exposure of the middle row of one of the rig's images to that of the rows (…)
+    px."""
     per_row = rig.line_time * rig.left.height / camera.height
     out: Array = (row - (camera.height - 1) / 2) * per_row
     return out
 
 
 def instants_for(rig: StereoRig, camera: Camera, row: Array) -> Array:
-    """(k,) s after the middle row's exposure: instants between which points are sampled whose rows
-    (n,) px are these at the middle one; NaN of points that are not seen."""
+    """(k,) instants, s after the middle row's exposure, to sample points whose rows are (n,) px at
+    that time; NaN for points that are not visible."""
     rows = np.clip(row[np.isfinite(row)], 0, camera.height - 1)
     if len(rows) == 0:
         return np.array([-MARGIN, MARGIN])
@@ -46,14 +45,16 @@ def instants_for(rig: StereoRig, camera: Camera, row: Array) -> Array:
 
 
 class OwnRow(NamedTuple):
-    """The instants that n points are between: ``before`` (n,), and ``weight`` (n,) of the next."""
+    """The instants around each of n points: index ``before`` (n,), and ``weight`` (n,) of the next
+    one."""
 
     before: IntArray
     weight: Array
 
     @staticmethod
     def of(instants: Array, delay: Array) -> OwnRow:
-        """Where the instants (k,) s meet the ``delay`` (k, n) s of the points' rows at them."""
+        """Finds the times at which the instants (k,) s equal the ``delay`` (k, n) s of the points'
+        rows."""
         ahead = instants[:, None] - np.nan_to_num(delay)
         passed = np.count_nonzero(ahead <= 0, axis=0) - 1
         before = np.clip(passed, 0, len(instants) - 2)
@@ -62,7 +63,7 @@ class OwnRow(NamedTuple):
         return OwnRow(before, np.clip(-a / (b - a), 0.0, 1.0))
 
     def of_values(self, values: Array) -> Array:
-        """(n, …) of values (k, n, …) at the instants."""
+        """(n, …) interpolated from values (k, n, …) at the instants."""
         every = np.arange(len(self.before))
         a, b = values[self.before, every], values[self.before + 1, every]
         weight = self.weight.reshape(-1, *[1] * (values.ndim - 2))
@@ -71,8 +72,8 @@ class OwnRow(NamedTuple):
 
 
 def band_px(exposures: int) -> float:
-    """px by which a hand may move in a band: more with fewer ``exposures`` per image, between which
-    it moves too."""
+    """px by which a hand may move during a band: more with fewer ``exposures`` per image, between
+    which it moves as well."""
     return BAND_PX * BLURRED / max(min(exposures, BLURRED), 1)
 
 
@@ -83,9 +84,9 @@ def bands_of(
     rows: tuple[int, int] | None = None,
     most_px: float = BAND_PX,
 ) -> list[RowBand]:
-    """Bands of all rows, in which a hand of ``speed`` px/s moves less than ``most_px`` or which are
-    `LEAST_ROWS` rows; the hand is in ``rows`` (default: all). Above and below these, the bands
-    extend to the image's edges."""
+    """Divides all rows into bands during which a hand with ``speed`` px/s moves less than
+    ``most_px``, but of at least `LEAST_ROWS` rows; the hand is in ``rows`` (default: all). Above
+    and below these, the bands extend to the image's edges."""
     first, end = rows or (0, camera.height)
     low, high = first // LEAST_ROWS, max(-(-end // LEAST_ROWS), first // LEAST_ROWS + 1)
     readout = rig.line_time * rig.left.height * (high - low) * LEAST_ROWS / camera.height

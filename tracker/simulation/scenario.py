@@ -85,9 +85,9 @@ MARGIN = 0.01
 class SimulationParams:
     """The person, the sensors and the delays.
 
-    ``person`` is the seed of the person, independent of the fitting of the glove: one person can
-    have several sessions. ``device`` is likewise the seed of the errors of the glove's IMUs, and
-    ``camera`` that of the errors of the camera's calibration.
+    ``person`` is the seed of the person, independent of the fitting of the glove, so that one
+    person can have several sessions. Likewise, ``device`` is the seed of the errors of the glove's
+    IMUs and ``camera`` that of the errors of the camera's calibration.
     """
 
     wearer: WearerParams = field(default_factory=WearerParams)

@@ -1,5 +1,5 @@
-"""Wearers who use an application from beginning to end: their motions, and where they expect it to
-be."""
+"""Simulated wearers who use an application from beginning to end: their motions, and the
+application's expected position."""
 
 from __future__ import annotations
 
@@ -38,9 +38,8 @@ def show_keys(name: str) -> list[Key]:
 
 
 def shown_application(motion: str) -> tuple[str, dict[str, list[float]]]:
-    """The application that the wearer of a ``motion`` uses, and the settings that place it where
-    the wearer expects it, whenever it starts; empty for other motions. Raises ConfigError as
-    `show_keys`.
+    """The application that the wearer of a ``motion`` uses, and the settings that place it at the
+    expected position; empty for other motions. Raises ConfigError as `show_keys`.
     """
     name = motion.removeprefix(WORD)
     if name == motion:

@@ -1,4 +1,4 @@
-"""Time stamps of simulated images, which jitter as those of a camera."""
+"""Time stamps of simulated images, with jitter like a real camera's."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ LEAST_STEP = 1e-3
 
 
 class JitteredStamps:
-    """Adds jitter to the time stamps of images in order, and keeps their order."""
+    """Adds jitter to the time stamps of successive images without changing their order."""
 
     def __init__(self, sd: float, seed: int) -> None:
         self._sd, self._rng, self._last = sd, rng_for(seed, "stamps"), -np.inf

@@ -25,7 +25,7 @@ built = lru_cache(1)(build_scene)
 class WithTruth:
     """Adds the truth of a `DemoSpec` that began at ``t_0`` (s) to its recording.
 
-    It is sent to the writing process, where `prepare` may construct the simulation in advance.
+    It is sent to the writing process, in which `Prepare` may construct the simulation in advance.
     ``asked`` are the postures requested until then.
     """
 
@@ -91,7 +91,7 @@ class HandsTruth:
         self._segments = simulation.glove.keypoint_segments(simulation.hand)
 
     def beside(self, estimate: Estimate) -> list[Estimate]:
-        """The truth of this and the preceding estimates, in batches of `AT_ONCE`."""
+        """The truth of this estimate and the preceding ones, in batches of `AT_ONCE`."""
         self._waiting.append(estimate)
         return self.rest() if len(self._waiting) >= AT_ONCE else []
 

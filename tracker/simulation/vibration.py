@@ -1,4 +1,4 @@
-"""Vibration of a glove's motors in its IMUs."""
+"""Vibration that a glove's motors cause in its IMUs."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ MOST_MS = 5000
 
 
 class MotorVibration:
-    """Motors that run, on the clock of the samples (s)."""
+    """The running motors, on the clock of the samples (s)."""
 
     def __init__(self, imu_count: int, rng: np.random.Generator) -> None:
         self._n, self._rng = imu_count, rng
-        self._running: dict[int, tuple[float, float]] = {}  # end and share of the full amplitude
+        self._running: dict[int, tuple[float, float]] = {}  # end time, share of full amplitude
         self._axis = rng.normal(0, 1 / math.sqrt(3), (2, imu_count, 3))
 
     def run(self, command: Haptic, now: float) -> None:

@@ -20,7 +20,7 @@ from tracker.base.errors import FileError, GlovetrackError
 from tracker.live.colours import KIND
 from tracker.messages import Event
 from tracker.session.description import SessionInfo
-from tracker.session.notes import standing
+from tracker.session.notes import latest_versions
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.rig import StereoRig, ideal_rig
 
@@ -74,7 +74,7 @@ class ReplayEngine:
         except FileError as error:
             self.hands.report(Event.of(0.0, "error", error.notice))
         where = self.player.clamped
-        self.player.events = tuple((where(e.t - self.start_t), e) for e in standing(found))
+        self.player.events = tuple((where(e.t - self.start_t), e) for e in latest_versions(found))
         self._colours = ColoursOfFile(self._colours.at(0.0), self.player.events)
         sight = first_sight(self._reader)
         if sight is not None:

@@ -31,7 +31,7 @@ def report(args: argparse.Namespace) -> int:
     """Write the page and the table."""
     from extensions.movement.report.numbers import as_json
     from extensions.movement.report.write import write_report
-    from tracker.session.glance import sessions_in
+    from tracker.session.overview import sessions_in
 
     paths = [path for path, _ in sessions_in(args.sessions)]
     check_json(args, paths)

@@ -41,10 +41,10 @@ AXES = {
 
 
 def turned(m: EstimateSeries, name: str, own: str = "z-up") -> EstimateSeries:
-    """Positions and orientations, which are in the axes ``own``, in the axes ``name``.
+    """Converts positions and orientations from the axes ``own`` to the axes ``name``.
 
-    A bone's own axes stay (x along it, z dorsal); in left-handed ones its y is turned round, so
-    that an orientation remains a rotation.
+    A bone's own axes do not change (x along it, z dorsal); in left-handed axes its y is reversed,
+    so that an orientation remains a rotation.
     """
     axes = AXES[name]
     rows = axes.rows @ AXES[own].rows.T

@@ -37,15 +37,16 @@ class ExportFormat:
     """``name`` is the value of ``--format`` and the ending of a file; ``title`` is for menus, in
     English.
 
-    Exactly one of ``writer`` and ``dataset`` is given. Both import their module when they are
-    called. A writer gets the session, the path of a new file (or of a folder to create) and the
+    Exactly one of ``writer`` and ``dataset`` is set. Both import their module when they are called.
+    A writer receives the session, the path of a new file (or of a folder to create) and the
     options; it returns the estimates that it wrote, or None if it wrote something else. A writer of
-    data sets gets several sessions, and returns what the JSON file next to the data set contains.
+    data sets receives several sessions, and returns the content of the JSON file next to the data
+    set.
 
     ``options``: the fields of `ExportOptions` that the format supports. ``both_hands``: one file
-    contains both hands; of other formats there is a file for each. ``folder``: it creates a folder.
-    ``beside``: endings, instead of the file's own, of further files that the writer creates.
-    ``extra``: what to install with pip if a package is missing. ``order``: position in menus.
+    contains both hands; other formats create a file for each. ``folder``: the writer creates a
+    folder. ``beside``: extensions of further files that the writer creates. ``extra``: what to
+    install with pip if a package is missing. ``order``: position in menus.
     """
 
     name: str
@@ -60,13 +61,13 @@ class ExportFormat:
     order: int = 1000
 
     def load(self) -> Writer:
-        """The writer. Raises ConfigError for a data set, or if a package is missing."""
+        """Imports the writer. Raises ConfigError for a data set, or if a package is missing."""
         if self.writer is None:
             raise ConfigError(notice("export.data_set", format=self.name))
         return self._imported(self.writer)
 
     def load_dataset(self) -> DatasetWriter:
-        """The writer of data sets. Raises ConfigError for another format."""
+        """Imports the writer of data sets. Raises ConfigError for another format."""
         if self.dataset is None:
             sets = " or ".join(kind.name for kind in formats() if kind.dataset is not None)
             raise ConfigError(notice("export.one_session", format=self.name, others=sets))
@@ -93,8 +94,8 @@ class ExportFormat:
             raise ConfigError(notice("export.not_supported", format=self.name, options=wrong))
 
     def without_unused(self, options: ExportOptions) -> ExportOptions:
-        """``options`` for several formats at once, without the axes, units and settings of data
-        sets that this one does not have."""
+        """``options`` for several formats, without the axes, units and data set settings that this
+        format does not support."""
         unset = ExportOptions()
         shared = ("axes", "units", "dataset", "every", "views")
         unused = {n: getattr(unset, n) for n in shared if n not in self.options}

@@ -21,7 +21,8 @@ def export_h5(reader: SessionReader, path: Path, options: ExportOptions) -> Esti
     ``/joints/{angle,state,interpolated}``."""
     m = load_series(reader, options)
     unit = options.units or "m"
-    # Made in memory: where a disk fills up under it the library ends the program at its exit.
+    # Created in memory: if the disk fills up while the library writes, it aborts the program at
+    # exit.
     with h5py.File(path.name, "w", driver="core", backing_store=False) as file:
         file.attrs["axes"] = str(m.notes["axes_are"])
         file.attrs["bone_axes"] = m.bone_axes

@@ -21,7 +21,7 @@ own clock, and the packet's number."""
 
 def export_imu_csv(reader: SessionReader, path: Path, options: ExportOptions) -> None:
     """The header contains the units; missing readings are empty. Raises FileError without IMUs."""
-    raw = _chosen(reader, options)
+    raw = _selected(reader, options)
     names, values = columns(raw)
     with path.open("w", encoding="utf-8", newline="\n") as out:
         out.write(",".join([*CLOCKS, *names]) + "\n")
@@ -36,7 +36,7 @@ def export_imu_csv(reader: SessionReader, path: Path, options: ExportOptions) ->
 def export_imu_parquet(reader: SessionReader, path: Path, options: ExportOptions) -> None:
     """The same columns. Raises ConfigError without Arrow, FileError without IMUs."""
     pa, pq = arrow()
-    raw = _chosen(reader, options)
+    raw = _selected(reader, options)
     names, values = columns(raw)
     clocks = (raw.stamp_ns, raw.arrival_ns, raw.device_s, np.where(raw.seq < 0, np.nan, raw.seq))
     table: dict[str, Any] = {
@@ -47,13 +47,14 @@ def export_imu_parquet(reader: SessionReader, path: Path, options: ExportOptions
 
 
 def columns(raw: RawImu) -> tuple[list[str], Array]:
-    """Names with their units, and (N, 6 n) values."""
+    """Names with units, and values (N, 6 n)."""
     names, values = raw.channels()
     return [f"{n} [{UNITS[n.rsplit('_', 2)[1]]}]" for n in names], values
 
 
-def _chosen(reader: SessionReader, options: ExportOptions) -> RawImu:
-    """The part from ``start`` to ``stop``, s from the first packet; without the date from 0."""
+def _selected(reader: SessionReader, options: ExportOptions) -> RawImu:
+    """The part from ``start`` to ``stop``, s from the first packet; without the date, times start
+    at 0."""
     raw = read_raw_imu(reader)
     at = (raw.stamp_ns - raw.stamp_ns[0]) * 1e-9
     low = -np.inf if options.start is None else options.start

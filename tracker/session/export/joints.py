@@ -1,4 +1,4 @@
-"""How each segment moves against its parent: what a skeleton of joints has to do to follow."""
+"""The motion of each segment relative to its parent, for skeletons made of joints."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from tracker.session.export.series import EstimateSeries
 
 class JointMotion(NamedTuple):
     """offset (N, S, 3) m of a segment's joint in its parent's B; turn (N, S, 3, 3) of the joint,
-    after the segment's rest. NaN for the root and where one of both is lost."""
+    after the segment's rest. NaN for the root and where the segment or its parent is lost."""
 
     offset: Array
     turn: Array
 
     def median_offset(self, otherwise: Array) -> Array:
-        """Returns means (S, 3) m of known values, ``otherwise`` (S, 3) without any."""
+        """Returns medians (S, 3) m of known values; ``otherwise`` (S, 3) where there are none."""
         known: NDArray[np.bool_] = np.asarray(np.isfinite(self.offset).all(axis=2))
         rows = [
             np.median(self.offset[known[:, s], s], axis=0) if known[:, s].any() else otherwise[s]
@@ -30,7 +30,7 @@ class JointMotion(NamedTuple):
         return np.array(rows)
 
     def flexed_last(self) -> Array:
-        """(N, S, 3) abduction, twist, flexion of all joints, turned in this order: Rz Rx Ry.
+        """(N, S, 3) abduction, twist, flexion of all joints, applied in this order: Rz Rx Ry.
 
         Abduction and flexion are those of the nearest rotation Rz Ry, as for joints without twist
         (`tracker.geometry.so3.joint_angles`): the remaining rotation is about the axis orthogonal
@@ -53,7 +53,7 @@ class JointMotion(NamedTuple):
 
 
 def joint_motion(m: EstimateSeries) -> JointMotion:
-    """For a series in right-handed axes."""
+    """The motion of all joints, for a series in right-handed axes."""
     hand = m.info.hand
     R = matrices(m.segment_q)
     offset, turn = np.full_like(m.segment_p, np.nan), np.full_like(R, np.nan)

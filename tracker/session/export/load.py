@@ -1,4 +1,4 @@
-"""The estimates of a session cut, resampled and turned as an export asks."""
+"""Loads the estimates of a session, cut, resampled and in the axes of an export."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The glove's markers where the tracked hand carries them."""
+"""Positions of the glove's markers on the tracked hand."""
 
 from __future__ import annotations
 
@@ -55,9 +55,8 @@ def read_sizes(reader: SessionReader) -> Sizes:
 
 
 def carried_markers(reader: SessionReader, m: EstimateSeries) -> Markers:
-    """For ``m``, which has all its keypoints.
-
-    Where the calibrated hand has them: that the fabric slips is not in it.
+    """Markers of the estimates ``m``, which contain all keypoints, at their positions on the
+    calibrated hand; slip of the fabric is not included.
     """
     glove, hand = m.info.glove, m.info.hand
     names = marker_names(glove)
@@ -65,8 +64,8 @@ def carried_markers(reader: SessionReader, m: EstimateSeries) -> Markers:
 
 
 def dorsal_points(reader: SessionReader, m: EstimateSeries) -> Markers:
-    """Returns one point above the back of each segment. Without it, the rotation of a bone about
-    its axis, and the flexion of a nearly straight finger, can hardly be derived from points."""
+    """Returns one point above the back of each segment. Without such points, the rotation of a bone
+    about its axis and the flexion of a nearly straight finger are poorly determined."""
     hand = m.info.hand
     position = np.array([[0.5 * s.length, 0.0, ABOVE] for s in hand.segments])
     return carried(reader, m, dorsal_names(hand), np.arange(len(position)), position)

@@ -24,7 +24,7 @@ _IDENTIFYING = ("source",)  # a file's name contains the participant's
 def export_mcap(reader: SessionReader, path: Path, options: ExportOptions) -> None:
     """Messages are copied unchanged, so rate, axes, units and joints have no effect here.
 
-    Raises ConfigError where they are asked for, or the hand or the time shall be left out.
+    Raises ConfigError if one of them, or omission of the hand or the time, is requested.
     """
     _check(options)
     copy_part(reader, path, _span(reader, options), options)
@@ -39,10 +39,10 @@ def copy_part(
 ) -> None:
     """Copies the messages with log times (ns) of ``span``, and the values from before that are
     valid until they are published again; damaged ones are left out. A recording that began while
-    the engine was late has its descriptions after its first messages: those are copied, too.
+    the engine was behind has its descriptions after its first messages; those are copied, too.
 
     ``state``: an engine's state at the start of the part, from `engine_state.pack`. The clocks of a
-    part begin with it.
+    part start at its beginning.
     """
     start, end = span
     out = McapOutput(path, sync=False)
@@ -52,7 +52,7 @@ def copy_part(
             out.attach_bytes(engine_state.NAME, engine_state.MEDIA_TYPE, state, start)
         copier = Copier(reader.source, out)
         descriptions = _description_topics(reader)
-        for topic in _standing_topics(reader) if start else ():
+        for topic in _latched_topics(reader) if start else ():
             valid = last_before(reader.source, topic, start, check_message)
             if valid is None and topic in descriptions:
                 valid = _first_after(reader, topic, end)
@@ -66,13 +66,13 @@ def copy_part(
 
 
 def _first_after(reader: SessionReader, topic: str, end: int) -> RawMessage | None:
-    """The first message of a topic from ``end`` (ns) on; one before it is in the part itself."""
+    """The first message of a topic from ``end`` (ns) on; earlier ones are in the part itself."""
     found = ordered(reader.source, frozenset([topic]), end)
     return next(sound(found, reader.source.left_out), None)
 
 
 def copy_extras(reader: SessionReader, out: McapOutput, without: Sequence[str] = ()) -> None:
-    """Copies a session's metadata and all its attachments but those named ``without``."""
+    """Copies a session's metadata and its attachments, except those named in ``without``."""
     _write_extras(reader, out, ExportOptions(), 0, without)
 
 
@@ -83,7 +83,7 @@ def _check(options: ExportOptions) -> None:
 
 
 def _span(reader: SessionReader, options: ExportOptions) -> tuple[int, int]:
-    """Log times (ns); 0 and `FOREVER` where nothing is cut."""
+    """Log times (ns); 0 and `FOREVER` at ends that are not cut."""
     if options.start is None and options.stop is None:
         return 0, FOREVER
     first = next((m.t for m in reader.messages((Estimate,)) if isinstance(m, Estimate)), None)
@@ -103,7 +103,7 @@ def _write_extras(
     for record in reader.source.metadata():
         values = dict(record.metadata)
         if record.name == description.METADATA:
-            values |= _begun_at(values, start)
+            values |= _anchored_at(values, start)
             values |= {k: "" for k in options.anonymous if k in values}
             if "participant" in options.anonymous:
                 values = {k: v for k, v in values.items() if k not in _IDENTIFYING}
@@ -117,7 +117,7 @@ def _write_extras(
         out.attach_bytes(a.name, a.media_type, data, a.log_time)
 
 
-def _begun_at(values: dict[str, str], start: int) -> dict[str, str]:
+def _anchored_at(values: dict[str, str], start: int) -> dict[str, str]:
     """Returns the same two clocks, anchored at the start of the part (ns); stamps do not change."""
     try:
         wall, monotonic = int(values["wall_clock_ns"]), int(values["monotonic_ns"])
@@ -128,7 +128,7 @@ def _begun_at(values: dict[str, str], start: int) -> dict[str, str]:
     return {"wall_clock_ns": str(start), "monotonic_ns": str(start - wall + monotonic)}
 
 
-def _standing_topics(reader: SessionReader) -> list[str]:
+def _latched_topics(reader: SessionReader) -> list[str]:
     """Returns the topics whose last message is valid until the next."""
     sides = [hand.side for hand in reader.info.hands]
     hand = [topics.hand(s, what) for s in sides for what in ("states", "calibration")]
@@ -136,9 +136,9 @@ def _standing_topics(reader: SessionReader) -> list[str]:
 
 
 def _description_topics(reader: SessionReader) -> list[str]:
-    """Those of them that describe cameras and robots, which seldom change."""
+    """The latched topics that describe cameras and robots, which rarely change."""
     camera = [topics.camera_info(c) for c in EYES]
-    latched = ("robot_description", "model")  # in this order: the second is read with the first
+    latched = ("robot_description", "model")  # in this order: reading the second requires the first
     robot = [t for t in reader.topic_names if topics.robot_of(t)[1] in latched]
     return [*camera, topics.TF_STATIC, topics.CAMERA_POSE, *sorted(robot, reverse=True)]
 

@@ -17,9 +17,10 @@ WORLD = "y-up"
 
 
 def openxr_series(m: EstimateSeries) -> EstimateSeries:
-    """A series in G with OpenXR's 26 joints as keypoints, all in OpenXR's world and joint axes.
+    """Converts a series in G to OpenXR's 26 joints as keypoints, all in OpenXR's world and joint
+    axes.
 
-    Joints that are placed between others have no standard deviation.
+    Joints that are interpolated between others have no standard deviation.
     """
     radii = joint_radii(m.info.hand)
     hand = openxr_joints(m.keypoints, m.q, m.state, m.keypoint_names, radii)
@@ -37,7 +38,7 @@ def openxr_series(m: EstimateSeries) -> EstimateSeries:
 
 
 def _filled(m: EstimateSeries, rows: IntArray) -> Mask | None:
-    """(N, 26) joints in gaps that were filled; one placed between others where any was."""
+    """(N, 26) joints in gaps that were filled; a joint between others counts if one of them was."""
     if m.point_filled is None:
         return None
     any_filled = m.point_filled.any(axis=1, keepdims=True)

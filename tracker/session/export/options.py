@@ -30,8 +30,8 @@ HIDEABLE = (*PERSONAL, "hand", "time")
 @dataclass(frozen=True)
 class DatasetOptions:
     """``task``: a description; by default the note that an episode begins with, or the session's
-    notes. ``split``: an episode from each note to the next, not one per session. ``images``: one of
-    `IMAGES`. Raises ConfigError for another.
+    notes. ``split``: an episode from each note to the next instead of one per session. ``images``:
+    one of `IMAGES`. Raises ConfigError for another.
     """
 
     task: str = ""

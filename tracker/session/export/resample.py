@@ -1,4 +1,4 @@
-"""Another rate: cubic splines and slerp, with a low-pass before where the new rate is lower."""
+"""Another rate: cubic splines and slerp, after a low-pass filter if the new rate is lower."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ MOST_ROWS = 1_000_000
 def resample(m: EstimateSeries, rate: float) -> EstimateSeries:
     """Estimates at ``rate`` Hz.
 
-    A number next to one that was lost stays lost, and nothing is put where no estimate is known
-    for longer than `holes.LONGEST_FILLED`; states and sd are the nearest estimate's, or lost.
-    Raises FileError where the stamps would make far more rows than there are estimates.
+    A value next to a lost one stays lost, and holes longer than `holes.LONGEST_FILLED` are not
+    interpolated; states and sd are the nearest estimate's, or lost. Raises FileError if the stamps
+    would result in far more rows than there are estimates.
     """
     m = m.rows(np.flatnonzero(np.diff(m.stamp_ns, prepend=m.stamp_ns[0] - 1) > 0))
     if len(m) < 4:
@@ -46,9 +46,10 @@ def resample(m: EstimateSeries, rate: float) -> EstimateSeries:
 
 
 def sampled_at(m: EstimateSeries, t: Array, rate: float) -> EstimateSeries:
-    """Estimates at the rising instants ``t`` (n,), s from the first one; outside of it nothing.
+    """Estimates at increasing times ``t`` (n,), s from the first estimate; lost outside of the
+    series.
 
-    Stamps of ``m`` rise; ``rate`` Hz is that of ``t``. See `resample`.
+    The stamps of ``m`` increase; ``rate`` Hz is that of ``t``. See `resample`.
     """
     smooth = low_passed(m, rate) if rate < 0.9 * m.rate else m
     nearest = np.searchsorted((m.elapsed[1:] + m.elapsed[:-1]) / 2, t)
@@ -104,7 +105,8 @@ def _smoothed_run(column: Array, kernel: Array) -> Array:
 
 
 def _smoothed_turns(t: Array, q: Array, kernel: Array) -> Array:
-    """(N, K, 4): normalised means of quaternions of one sign, right for turns within a kernel."""
+    """(N, K, 4): normalised means of sign-consistent quaternions, which approximate the mean
+    rotation within a kernel."""
     out = np.empty_like(q)
     for k in range(q.shape[1]):
         mean = _smoothed(t, continuous(q[:, k]), kernel)
@@ -113,7 +115,7 @@ def _smoothed_turns(t: Array, q: Array, kernel: Array) -> Array:
 
 
 def continuous(q: Array) -> Array:
-    """The same rotations (N, 4) without jumps of sign; lost rows (NaN) are stepped over."""
+    """The same rotations (N, 4) without sign changes; lost rows (NaN) are skipped."""
     known = np.flatnonzero(np.isfinite(q).all(axis=1))
     flips = np.sum(q[known[1:]] * q[known[:-1]], axis=1) < 0
     sign = np.ones(len(q))
@@ -143,7 +145,7 @@ def _slerp(t_old: Array, q: Array, t: Array) -> Array:
 def _pieces(
     t_old: Array, known: NDArray[np.bool_], t: Array
 ) -> Iterator[tuple[IntArray, NDArray[np.int64]]]:
-    """Per stretch without a hole: rows to go through, and the instants between that are covered."""
+    """For each stretch without a hole: its rows, and the instants that it covers."""
     covered = _covered(t_old, known, t)
     for run in runs(t_old, known):
         knots = run.start + np.flatnonzero(known[run])

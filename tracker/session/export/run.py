@@ -1,4 +1,4 @@
-"""`export` selects the format, writes the file and a JSON file that describes it."""
+"""Exports a session: selects the format, writes the file and a JSON file that describes it."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from tracker.session.edits import WORD, edits_text
 from tracker.session.export.formats import FORMATS, ExportFormat
 from tracker.session.export.options import ExportOptions
 from tracker.session.export.series import EstimateSeries
-from tracker.session.export.sidecar import BESIDE, forget_orphan
+from tracker.session.export.sidecar import OTHER_FILES, forget_orphan
 from tracker.session.reader import SessionReader
 
 
@@ -77,7 +77,7 @@ def export_dataset(
 
 
 def sides_of(path: Path) -> tuple[str, ...]:
-    """Left and right of a session of both hands, nothing of another."""
+    """Left and right for a session of both hands; empty for any other."""
     with SessionReader(path) as reader:
         return reader.sides
 
@@ -109,7 +109,7 @@ def _export_one(
             if len(reader.source.left_out):
                 report["left_out"] = reader.source.left_out.by_topic()
         if parts:
-            report[BESIDE] = {part.name: sha256(part) for part in parts}
+            report[OTHER_FILES] = {part.name: sha256(part) for part in parts}
         described.write_text(json.dumps(report, indent=2) + "\n", "utf-8")
     return report
 
@@ -121,7 +121,7 @@ def _report(
     options: ExportOptions,
     series: EstimateSeries | None,
 ) -> dict[str, Any]:
-    """What was done, to what, with which options."""
+    """The content of the JSON file: source, options and result of an export."""
     info = reader.info
     report: dict[str, Any] = {
         "format": format,
@@ -140,15 +140,15 @@ def _report(
             "keypoints": list(series.keypoint_names),
             "joints": list(series.joint_names),
             "start_ns": int(series.stamp_ns[0]) if len(series) else None,
-            "certainty": _certainty(series),
+            "certainty": _state_shares(series),
             **series.notes,
         }
     if reader.edits:
         report["edits"] = json.loads(edits_text(reader.edits))["edits"]
-    return _without(report, options.anonymous)
+    return _redacted(report, options.anonymous)
 
 
-def _certainty(series: EstimateSeries) -> dict[str, dict[str, float | None]]:
+def _state_shares(series: EstimateSeries) -> dict[str, dict[str, float | None]]:
     """Returns for each keypoint the shares of rows in which it was measured, inferred and lost, and
     the mean sd (m) unless lost, which a BVH, a TRC or a URDF cannot contain. In an edited session
     also the interpolated share, which is part of the inferred one."""
@@ -164,10 +164,10 @@ def _certainty(series: EstimateSeries) -> dict[str, dict[str, float | None]]:
     return out
 
 
-def _without(report: dict[str, Any], anonymous: tuple[str, ...]) -> dict[str, Any]:
+def _redacted(report: dict[str, Any], anonymous: tuple[str, ...]) -> dict[str, Any]:
     """Removes values that must not be published, and values from which they follow."""
     top, inside = set(), set(anonymous)
-    if "participant" in anonymous:  # automatic names of files hold it
+    if "participant" in anonymous:  # automatic file names contain it
         top.add("source")
         inside.add("source")
         for edit in report.get("edits", ()):

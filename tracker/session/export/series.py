@@ -29,9 +29,9 @@ from tracker.session.ros import topics
 @dataclass(frozen=True, eq=False)
 class EstimateSeries:
     """N estimates: stamp_ns (N,), keypoints (N, K, 3) m, q (N, K, 4), state (N, K), sd (N, K) m,
-    angles (N, J) rad, angle_state (N, J); NaN where lost. segment_p (N, S, 3) m and segment_q
-    (N, S, 4) of all the hand's segments, whatever `only` keeps. ``zero_ns`` was taken from stamps.
-    ``radius`` (K,) m of the fingers at the keypoints, where these are OpenXR's joints.
+    angles (N, J) rad, angle_state (N, J); NaN where lost. segment_p (N, S, 3) m and segment_q (N,
+    S, 4) of all the hand's segments, whatever `only` keeps. ``zero_ns`` was subtracted from the
+    stamps. ``radius`` (K,) m of the fingers at the keypoints, if these are OpenXR's joints.
     ``point_filled`` (N, K) and ``angle_filled`` (N, J): in gaps that an edit filled.
     """
 
@@ -78,7 +78,7 @@ class EstimateSeries:
         return len(self.stamp_ns)
 
     def rows(self, rows: IntArray) -> EstimateSeries:
-        """Some of the estimates."""
+        """A selection of the estimates."""
         return replace(
             self,
             stamp_ns=self.stamp_ns[rows],
@@ -238,6 +238,6 @@ def state_names(state: IntArray, filled: Mask) -> list[str]:
 
 
 def seconds_text(ns: int) -> str:
-    """Seconds to the microsecond; a float would not hold that many digits since 1970."""
+    """Seconds to the microsecond; a float does not have enough digits for times since 1970."""
     whole, micro = divmod(round(ns / 1000), 1_000_000)
     return f"{whole}.{micro:06d}"

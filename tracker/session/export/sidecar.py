@@ -11,7 +11,7 @@ from tracker.base.errors import FileError
 from tracker.base.files import sha256
 from tracker.base.toml_reader import read_text
 
-BESIDE = "beside"  # in the JSON: SHA-256 by name of the other files of the export
+OTHER_FILES = "beside"  # key in the JSON: SHA-256 of the other files of the export, by name
 
 
 def forget_orphan(sidecar: Path, path: Path) -> None:
@@ -27,7 +27,7 @@ def forget_orphan(sidecar: Path, path: Path) -> None:
         isinstance(content, dict) and "glovetrack" in content and content.get("file") == path.name
     ):
         return
-    listed = content.get(BESIDE)
+    listed = content.get(OTHER_FILES)
     for name, digest in listed.items() if isinstance(listed, Mapping) else ():
         other = path.parent / Path(str(name)).name
         if other.is_file() and sha256(other) == digest:

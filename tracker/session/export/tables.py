@@ -24,12 +24,12 @@ NUMBERS = ("x", "y", "z", "qx", "qy", "qz", "qw", "sd")
 
 
 def numbered(m: EstimateSeries) -> tuple[str, ...]:
-    """`NUMBERS`, and for OpenXR's joints their radius."""
+    """The columns `NUMBERS` and, for OpenXR's joints, their radius."""
     return NUMBERS if m.radius is None else (*NUMBERS, "radius")
 
 
 def columns(m: EstimateSeries) -> list[str]:
-    """Names of the columns: time, keypoints with their state, angles with theirs."""
+    """Names of the columns: time, keypoints with their state, angles with their state."""
     points = [f"{k}_{c}" for k in m.keypoint_names for c in (*numbered(m), "state")]
     return ["t", *points, *(c for j in m.joint_names for c in (j, f"{j}_state"))]
 
@@ -45,7 +45,8 @@ def _numbers(m: EstimateSeries, scale: float) -> Array:
 
 
 def export_csv(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
-    """``t`` is in seconds since 1970 to the microsecond; positions in m unless asked otherwise."""
+    """``t`` is in seconds since 1970 to the microsecond; positions in m unless ``options`` has
+    other units."""
     m = load_series(reader, options)
     numbers = _numbers(m, UNITS[options.units or "m"])
     points, angles = m.interpolated, m.angles_interpolated
@@ -96,7 +97,7 @@ def export_parquet(reader: SessionReader, path: Path, options: ExportOptions) ->
 
 
 def _metadata(m: EstimateSeries, unit: str) -> dict[str, str]:
-    """What the columns' numbers mean."""
+    """Metadata that describe the columns."""
     return {
         "axes": str(m.notes["axes_are"]),
         "bone_axes": m.bone_axes,
@@ -108,7 +109,8 @@ def _metadata(m: EstimateSeries, unit: str) -> dict[str, str]:
 
 
 def arrow() -> tuple[ModuleType, ModuleType]:
-    """Imports Arrow, which needs 165 MB and is only for Parquet. Raises ConfigError without it."""
+    """Imports Arrow, which takes 165 MB and is needed for Parquet only. Raises ConfigError if it is
+    missing."""
     try:
         import pyarrow
         import pyarrow.parquet

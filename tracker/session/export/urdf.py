@@ -1,6 +1,6 @@
 """The hand as a robot model (URDF), which every recording contains.
 
-Joints of anatomy have the names of the session's JointState; the others are those of
+Anatomical joints have the names of the session's JointState; the others are those of
 `urdf_joints`. The parent of the root's six joints is ``world``, the origin of the session.
 """
 
@@ -19,13 +19,13 @@ from tracker.session.export.urdf_joints import LinkAxes, UrdfAxis, hand_axes
 
 WORLD = "world"
 _VECTOR = {"x": "1 0 0", "y": "0 1 0", "z": "0 0 1"}
-_NOUGHT = "0 0 0"
-_FASTEST = "20"  # rad/s or m/s, a generous bound: URDF wants one
-_STRONGEST = "10"  # N m or N
+_ZEROS = "0 0 0"
+_MAX_VELOCITY = "20"  # rad/s or m/s, an upper bound: URDF requires one
+_MAX_EFFORT = "10"  # N m or N
 
 
 def robot_description(info: SessionInfo) -> str:
-    """The hand at the size of its file, as ROS has it on the topic ``robot_description``.
+    """The hand at the size of its file, as on ROS's topic ``robot_description``.
 
     Links have the names of the session's frames, joints those of its JointState.
     """
@@ -42,7 +42,7 @@ def robot_description(info: SessionInfo) -> str:
 
 
 def robot_links(robot: ET.Element, m: EstimateSeries, scale: Array) -> list[UrdfAxis]:
-    """All links and joints; returns the joints that move."""
+    """Adds all links and joints; returns the movable joints."""
     hand = m.info.hand
     origins = np.array(
         [
@@ -80,7 +80,7 @@ def _link(robot: ET.Element, segment: Segment, length: float) -> None:
     middle = f"{length / 2:.9g} 0 0"
     geometry = ET.Element("geometry")
     if segment.width:
-        ET.SubElement(visual, "origin", xyz=middle, rpy=_NOUGHT)
+        ET.SubElement(visual, "origin", xyz=middle, rpy=_ZEROS)
         size = f"{length:.9g} {segment.width:.9g} {2 * segment.radius:.9g}"
         ET.SubElement(geometry, "box", size=size)
     else:
@@ -95,24 +95,24 @@ def _chain(
     axes: LinkAxes,
     at: tuple[Array, Array],
 ) -> None:
-    """Joints from a parent to a child: first its position (3,) m with the shifts, then its rest
-    (3, 3) with the rotations; the links between them are empty."""
+    """Adds the joints from a parent to a child: first the position (3,) m with the shifts, then the
+    rest rotation (3, 3) with the rotations; the links between them are empty."""
     parent, child = names
     xyz, rest = _numbers(at[0]), _numbers(Rotation.from_matrix(at[1]).as_euler("xyz"))
     steps: list[UrdfAxis | None] = [*axes.shifts, *axes.turns]
-    if not axes.turns and (rest != _NOUGHT or not steps):
-        steps.append(None)  # no axis: the remaining position and rest
+    if not axes.turns and (rest != _ZEROS or not steps):
+        steps.append(None)  # without an axis: a fixed joint with the remaining position and rest
     for k, axis in enumerate(steps):
         end = child if k == len(steps) - 1 else f"{child}_link_{k + 1}"
         if end != child:
             ET.SubElement(robot, "link", name=end)
-        rpy = rest if k == len(axes.shifts) else _NOUGHT
-        origin = {"xyz": xyz if k == 0 else _NOUGHT, "rpy": rpy}
+        rpy = rest if k == len(axes.shifts) else _ZEROS
+        origin = {"xyz": xyz if k == 0 else _ZEROS, "rpy": rpy}
         if axis is None:
             _joint(robot, f"{child}_fixed", "fixed", (parent, end), origin)
         else:
             joint = _joint(robot, axis.name, axis.kind, (parent, end), origin)
-            _moves(joint, axis)
+            _set_axis(joint, axis)
         parent = end
 
 
@@ -126,10 +126,10 @@ def _joint(
     return element
 
 
-def _moves(joint: ET.Element, axis: UrdfAxis) -> None:
-    """Its axis, and limits that include the tracked values."""
+def _set_axis(joint: ET.Element, axis: UrdfAxis) -> None:
+    """Adds a joint's axis, and limits that include the tracked values."""
     ET.SubElement(joint, "axis", xyz=_VECTOR[axis.letter])
-    rates = {"effort": _STRONGEST, "velocity": _FASTEST}
+    rates = {"effort": _MAX_EFFORT, "velocity": _MAX_VELOCITY}
     if axis.kind == "continuous":
         ET.SubElement(joint, "limit", rates)
         return

@@ -1,9 +1,9 @@
 """Values of the joints of a URDF that reproduce the estimates, at each instant.
 
-An anatomical joint has the axes and the angles of the session. The rest has further joints of one
-axis each: bones whose size was still being estimated shift the joint at their end, and joints of
-kind lean represent rotations about an axis that the joint does not have. Their zero is the hand of
-the last calibration, so setting only the angles gives that hand.
+An anatomical joint has the axes and the angles of the session. What these leave is represented by
+further joints of one axis each: bones whose size was still being estimated shift the joint at their
+end, and joints of kind lean represent rotations about an axis that the anatomical joint lacks. They
+are zero for the hand of the last calibration, so setting only the angles gives that hand.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ class LinkAxes(NamedTuple):
 
 
 class HandAxes(NamedTuple):
-    """For all segments, and of all keypoints against the segments that they belong to."""
+    """The axes of all segments, and those of all keypoints relative to their segments."""
 
     segments: tuple[LinkAxes, ...]
     keypoints: tuple[LinkAxes, ...]
@@ -56,8 +56,8 @@ class HandAxes(NamedTuple):
 
 
 def hand_axes(m: EstimateSeries, origins: Array, tips: Array) -> HandAxes:
-    """For a series in right-handed axes; ``origins`` (S, 3) and ``tips`` (K, 3) m are where the
-    last calibration has joints and keypoints in the B before them.
+    """For a series in right-handed axes; ``origins`` (S, 3) and ``tips`` (K, 3) m are the positions
+    of joints and keypoints in the B before them, as last calibrated.
     """
     motion, hand = joint_motion(m), m.info.hand
     segments = [
@@ -111,13 +111,13 @@ def _angle(m: EstimateSeries, i: int, k: int, turn: Array) -> Array:
 
 
 def _leans(name: str, turn: Array, angles: Array) -> tuple[UrdfAxis, ...]:
-    """Joints for what the angles (N, 3) leave of the rotations (N, 3, 3)."""
+    """Joints for the remainder of the rotations (N, 3, 3) after the angles (N, 3)."""
     left = np.full((len(turn), 3), np.nan)
     known = np.isfinite(turn).all(axis=(1, 2)) & np.isfinite(angles).all(axis=1)
     if known.any():
         joint = Rotation.from_euler("ZYX", angles[known])
         left[known] = (joint.inv() * Rotation.from_matrix(turn[known])).as_euler("ZYX")
-    used = _used(left, STILL)
+    used = _nonzero_columns(left, STILL)
     return tuple(
         UrdfAxis(f"{name}_lean_{c}", "revolute", c, left[:, k])
         for k, c in enumerate("zyx")
@@ -138,7 +138,7 @@ def _keypoints(m: EstimateSeries, tips: Array) -> list[LinkAxes]:
 
 
 def _shifts(name: str, away: Array) -> tuple[UrdfAxis, ...]:
-    used = _used(away, STILL_M)
+    used = _nonzero_columns(away, STILL_M)
     return tuple(
         UrdfAxis(f"{name}_{c}", "prismatic", c, away[:, k])
         for k, c in enumerate(_LETTERS)
@@ -146,6 +146,6 @@ def _shifts(name: str, away: Array) -> tuple[UrdfAxis, ...]:
     )
 
 
-def _used(values: Array, least: float) -> list[bool]:
-    """Which columns of values (N, 3) ever leave nought."""
+def _nonzero_columns(values: Array, least: float) -> list[bool]:
+    """The columns of values (N, 3) that are not always zero."""
     return [bool(v) for v in np.abs(np.nan_to_num(values)).max(axis=0, initial=0.0) > least]

@@ -1,1 +1,1 @@
-"""Gaps of a session: where a keypoint is not measured, why, and how they are filled."""
+"""Gaps of a session: when a keypoint is not measured, why, and how such gaps are filled."""

@@ -1,4 +1,4 @@
-"""Why a keypoint was not measured, from which sensor messages are in the session at that time."""
+"""Finds out why a keypoint was not measured, from the sensor messages of that time."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _SHARE = 0.5
 
 
 class CauseFinder:
-    """Reads when messages of the sensors arrived, once, when the first cause is asked for."""
+    """Finds causes; reads the arrival times of the sensors' messages once, for the first cause."""
 
     def __init__(self, reader: SessionReader) -> None:
         self._reader = reader
@@ -41,7 +41,7 @@ class CauseFinder:
     def of(
         self, keypoints: Sequence[str], kind: str, span_ns: tuple[int, int], unsensed: bool
     ) -> str:
-        """One of `CAUSES`; ``unsensed``: the keypoints are measured nowhere in the session."""
+        """One of `CAUSES`; ``unsensed``: the keypoints are never measured in the session."""
         if unsensed and kind == "inferred":
             return NO_SENSOR
         start, stop = span_ns
@@ -82,7 +82,7 @@ class CauseFinder:
 
     @cached_property
     def _times(self) -> dict[str, IntArray]:
-        """Log times (ns) by topic, of those that the session has."""
+        """Log times (ns) of the session's topics."""
         wanted = {self._packets, *self._imus, *self._images, *self._blobs}
         found: dict[str, list[int]] = {}
         for raw in ordered(self._reader.source, frozenset(wanted & self._reader.topic_names)):

@@ -1,4 +1,4 @@
-"""Fills chosen gaps of a hand: the estimates that replace those of a session."""
+"""Fills selected gaps of a hand: creates the estimates that replace those of a session."""
 
 from __future__ import annotations
 
@@ -53,8 +53,8 @@ class Left(NamedTuple):
 
 @dataclass(eq=False)
 class HandFill:
-    """For one hand: the estimates between the stamps of ``spans`` (ns), in order, those after each
-    span, which are unchanged, and the filled gaps."""
+    """The changes to one hand: the new estimates between the stamps of ``spans`` (ns), in order,
+    the unchanged ones after each span, and the filled gaps."""
 
     estimates: list[Estimate] = field(default_factory=list)
     afterwards: list[Estimate] = field(default_factory=list)
@@ -64,7 +64,7 @@ class HandFill:
 
 
 def choose(gaps: Sequence[Gap], options: FillOptions) -> tuple[list[Gap], list[Left]]:
-    """Those that are filled, and those of the wanted kinds that are not."""
+    """The gaps to fill, and those of the selected kinds that are not filled."""
     wanted = [gap for gap in gaps if gap.kind in options.kinds]
     left = [Left(g, NO_ENDS) for g in wanted if not g.fillable]
     left += [Left(g, TOO_LONG) for g in wanted if g.fillable and g.length > options.max_gap]
@@ -81,8 +81,8 @@ def fill_hand(
 ) -> HandFill:
     """Fill ``gaps`` of the reader's hand, whose estimates are ``hand``.
 
-    ``shape``: another tracking of the same session, whose course is followed in them. ``watch``
-    receives the share that is done, and may raise to stop it.
+    ``shape``: another tracking of the same session, whose course the filled values follow.
+    ``watch`` receives the share that is done, and may raise to stop.
     """
     hand = hand.rows(np.flatnonzero(np.diff(hand.stamp_ns, prepend=hand.stamp_ns[0] - 1) > 0))
     work = _HandWork(reader, hand, method, shape)
@@ -97,7 +97,8 @@ def fill_hand(
 
 
 class _Grid(NamedTuple):
-    """Rows of a span and next to it: their stamps (n,) ns, the estimates they are, -1 for new."""
+    """Rows of a span and next to it: their stamps (n,) ns and the rows of their estimates, -1 for
+    new ones."""
 
     stamp_ns: IntArray
     row: IntArray
@@ -117,7 +118,7 @@ class _HandWork:
         self._spread = Spread(motion, hand.state != Validity.LOST, self._of, method, course)
 
     def rows_of(self, gap: Gap) -> tuple[int, int]:
-        """The rows before and after a gap; of an inferred one the measured ones."""
+        """The rows before and after a gap; for an inferred gap, the measured rows."""
         stamps = self._hand.stamp_ns
         before, after = (int(np.searchsorted(stamps, s)) for s in (gap.start_ns, gap.stop_ns))
         if gap.kind != INFERRED:
@@ -138,7 +139,7 @@ class _HandWork:
         gaps: Sequence[tuple[Gap, tuple[int, int]]],
         out: HandFill,
     ) -> None:
-        """Gaps with their rows, all within one stretch."""
+        """Fills gaps within one span, given with their rows."""
         grid = self._grid(span)
         motion, states, angle_states = self._motion(grid)
         at = np.full(len(self._t), -1)
@@ -154,7 +155,7 @@ class _HandWork:
             free[inside] |= angle_states[inside] <= allowed
         shape = None if self._shape is None else _sampled(self._shape, grid.stamp_ns)
         points, angles = fill_motion(motion, self._of, missing, free, self._method, shape)
-        found = _Found(grid, motion, states, angle_states, points, angles)
+        found = _FilledSpan(grid, motion, states, angle_states, points, angles)
         records = [(gap, (int(at[a]), int(at[b]))) for gap, (a, b) in gaps]
         done = [self._record(gap, rows, found, out) for gap, rows in records]
         if not any(done):
@@ -193,7 +194,7 @@ class _HandWork:
         t = (grid.stamp_ns - hand.stamp_ns[0]) / NS
         return RecordedMotion(t, *parts), states[0], states[1]
 
-    def _record(self, gap: Gap, rows: tuple[int, int], found: _Found, out: HandFill) -> bool:
+    def _record(self, gap: Gap, rows: tuple[int, int], found: _FilledSpan, out: HandFill) -> bool:
         """Stores the filled part of a gap; returns False if nothing was filled."""
         inside = slice(rows[0] + 1, rows[1])
         columns = self._columns(gap)
@@ -218,7 +219,7 @@ class _HandWork:
         )
         return True
 
-    def _deviations(self, found: _Found, gaps: Sequence[tuple[Gap, tuple[int, int]]]) -> Array:
+    def _deviations(self, found: _FilledSpan, gaps: Sequence[tuple[Gap, tuple[int, int]]]) -> Array:
         """Returns (n, K) m of filled values; NaN elsewhere."""
         sd = np.full(found.points.shape, np.nan)
         own = self._estimates(found.grid)
@@ -236,26 +237,26 @@ class _HandWork:
         return sd
 
     def _estimates(self, grid: _Grid) -> dict[int, Estimate]:
-        """By stamp (ns), of the rows of a grid."""
+        """The estimates of a grid's rows, by stamp (ns)."""
         anchor = self._reader.anchor
         start, stop = (anchor.monotonic(int(grid.stamp_ns[i])) for i in (0, -1))
         found = self._reader.messages((Estimate,), start - _ROUNDING, stop + _LATEST)
         return {anchor.wall(m.t): m for m in found if isinstance(m, Estimate)}
 
-    def _put(self, found: _Found, sd: Array, span: tuple[int, int], out: HandFill) -> None:
-        """The estimates between the first and the last row of a span."""
+    def _put(self, found: _FilledSpan, sd: Array, span: tuple[int, int], out: HandFill) -> None:
+        """Stores the estimates between the first and the last row of a span."""
         own = self._estimates(found.grid)
         anchor = self._reader.anchor
         for i in range(span[0] + 1, span[1]):
             stamp = int(found.grid.stamp_ns[i])
-            before = own.get(stamp) or _nothing(self._reader, anchor.monotonic(stamp))
+            before = own.get(stamp) or _lost_estimate(self._reader, anchor.monotonic(stamp))
             out.estimates.append(self._changed(before, found, i, sd[i]))
         last = int(found.grid.stamp_ns[span[1]])
         if last in own:
             out.afterwards.append(own[last])
         out.spans.append((int(found.grid.stamp_ns[span[0]]), last))
 
-    def _changed(self, e: Estimate, found: _Found, i: int, sd: Array) -> Estimate:
+    def _changed(self, e: Estimate, found: _FilledSpan, i: int, sd: Array) -> Estimate:
         points, angles, motion = found.points[i], found.angles[i], found.motion
         R, p = e.segment_R.copy(), e.segment_p.copy()
         for segment, k in enumerate(self._of.origin):
@@ -277,7 +278,7 @@ class _HandWork:
         )
 
 
-class _Found(NamedTuple):
+class _FilledSpan(NamedTuple):
     """A span after filling: ``points`` (n, K) and ``angles`` (n, J) were filled."""
 
     grid: _Grid
@@ -294,8 +295,8 @@ def _sd_at(estimate: Estimate | None, columns: Sequence[int]) -> Array:
     return np.asarray(estimate.keypoint_sd[list(columns)])
 
 
-def _nothing(reader: SessionReader, t: float) -> Estimate:
-    """An estimate in which everything is lost."""
+def _lost_estimate(reader: SessionReader, t: float) -> Estimate:
+    """An estimate with all values lost."""
     info = reader.info
     k, j, s = len(info.keypoint_names), len(info.hand.joint_names), len(info.hand.segments)
     return Estimate(
@@ -313,8 +314,8 @@ def _nothing(reader: SessionReader, t: float) -> Estimate:
 
 
 def _sampled(hand: EstimateSeries, stamp_ns: IntArray) -> RecordedMotion:
-    """Another tracking at the stamps (n,): on lines between its estimates, NaN where it is lost or
-    has a hole."""
+    """Another tracking at the stamps (n,): interpolated linearly, NaN where it is lost or has a
+    hole."""
     own = hand.rows(np.flatnonzero(np.diff(hand.stamp_ns, prepend=hand.stamp_ns[0] - 1) > 0))
     after = np.clip(np.searchsorted(own.stamp_ns, stamp_ns), 0, len(own.stamp_ns) - 1)
     exact = own.stamp_ns[after] == stamp_ns

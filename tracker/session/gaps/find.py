@@ -29,9 +29,9 @@ _ROUNDING = 1e-9  # s
 
 @dataclass(frozen=True)
 class Gap:
-    """``part`` (hand, wrist or a finger) of the hand of ``side`` is not measured at ``keypoints``
-    from ``start`` to ``stop``, s from the session's start; the stamps (ns since 1970) are those of
-    the estimates on both sides. ``fillable``: there is an estimate before and after it."""
+    """An interval from ``start`` to ``stop``, s from the session's start, in which ``keypoints`` of
+    a ``part`` (hand, wrist or a finger) of the hand of ``side`` are not measured; the stamps (ns
+    since 1970) are those of the estimates before and after it. ``fillable``: both exist."""
 
     number: int
     side: str
@@ -72,8 +72,9 @@ def session_gaps(
 ) -> list[Gap]:
     """Gaps of all hands of a session by start, numbered from 1.
 
-    ``limit``: s of *inferred* that are not listed. ``watch`` receives the share that has been read,
-    and may raise to stop it. Raises FileError if the session has no estimates.
+    ``limit``: *inferred* intervals up to this length (s) are not listed. ``watch`` receives the
+    share that has been read, and may raise to stop it. Raises FileError if the session has no
+    estimates.
     """
     with SessionReader(path) as reader:
         sides = reader.sides or ("",)
@@ -94,7 +95,7 @@ def _numbered(gap: Gap, number: int) -> Gap:
 
 
 def hand_gaps(reader: SessionReader, hand: EstimateSeries, limit: float) -> list[Gap]:
-    """Gaps of the reader's hand with their causes, not numbered."""
+    """Gaps of the reader's hand with their causes, without numbers."""
     first, last = reader.span_ns
     t = (hand.stamp_ns - first) / NS
     ends = (0.0, reader.duration)
@@ -151,7 +152,7 @@ def _is_fillable(interval: Interval, state: IntArray, rows: list[int]) -> bool:
 def _parts(
     t: Array, state: IntArray, names: Sequence[str], limit: float, ends: tuple[float, float]
 ) -> Iterator[_Part]:
-    """Intervals of keypoints, those that are the same for all of a finger or a hand as one."""
+    """Intervals of keypoints; those that are the same for a whole finger or hand are combined."""
     of: dict[Interval, list[str]] = {}
     for k, name in enumerate(names):
         for interval in intervals(t, state[:, k], limit, ends):
@@ -174,8 +175,9 @@ def _part_of(keypoint: str) -> str:
 def intervals(
     t: Array, state: IntArray, limit: float, ends: tuple[float, float]
 ) -> Iterator[Interval]:
-    """For one keypoint with states (N,) at the rising times ``t`` (N,) s of a session that lasts
-    between ``ends``. One that is never measured is inferred throughout."""
+    """The intervals of one keypoint with states (N,) at increasing times ``t`` (N,) s; the session
+    lasts from ``ends[0]`` to ``ends[1]``. A keypoint that is never measured is inferred
+    throughout."""
     n = len(t)
     known = np.flatnonzero(state != Validity.LOST)
     if not len(known):
@@ -194,14 +196,14 @@ def intervals(
 
 
 def _inferred(t: Array, state: IntArray, limit: float) -> Iterator[Interval]:
-    """Stretches without a hole that are inferred, from a measured row to a measured row."""
+    """Inferred stretches without a hole, from one measured row to the next."""
     n = len(t)
     is_inferred = state == Validity.INFERRED
     apart = np.r_[True, np.diff(t) > LONGEST_FILLED + _ROUNDING]
     begins = np.flatnonzero(is_inferred & (apart | ~np.r_[False, is_inferred[:-1]]))
     for i in begins:
         after = np.flatnonzero(~is_inferred[i:] | np.r_[False, apart[i + 1 :]])
-        j = int(i + after[0]) if len(after) else n  # the first row that is not of it
+        j = int(i + after[0]) if len(after) else n  # the first row after it
         near_before = i > 0 and not apart[i] and state[i - 1] == Validity.MEASURED
         near_after = j < n and not apart[j] and state[j] == Validity.MEASURED
         before, behind = int(i - near_before), int(j if near_after else j - 1)

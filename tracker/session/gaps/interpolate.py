@@ -1,8 +1,8 @@
 """Interpolates a hand across gaps so that its bones keep their lengths.
 
-Instead of the keypoints, the values that move them are interpolated: the hand's pose, the angles of
-the joints, and the pose of each segment in its parent. Poses of segments follow from these, parents
-first.
+Instead of the keypoints, the values that determine them are interpolated: the hand's pose, the
+joint angles, and the pose of each segment in its parent. Poses of segments are computed from these,
+parents first.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ from tracker.session.description import SessionInfo
 from tracker.session.gaps.merge import merged
 from tracker.session.gaps.methods import CUBIC, LINEAR
 
-SPEED_OVER = 0.08  # s next to a gap from which the speed at its end is computed
-SPEED_FOR = 0.3  # s for which that speed continues into a gap; longer, a cubic overshoots
+SPEED_OVER = 0.08  # s next to a gap that determine the speed at its end
+SPEED_FOR = 0.3  # s for which that speed continues into a gap; with more, a cubic overshoots
 Mask = NDArray[np.bool_]
 Rows = tuple[int, int]
 """The rows before and after a gap."""
@@ -30,8 +30,8 @@ Rows = tuple[int, int]
 
 @dataclass(eq=False)
 class RecordedMotion:
-    """A hand at the rising times t (N,) s: keypoints (N, K, 3) m, q (N, K, 4) xyzw of the segment
-    of each, angles (N, J) rad; NaN where not known."""
+    """A hand at increasing times t (N,) s: keypoints (N, K, 3) m, q (N, K, 4) xyzw of the segment
+    of each, angles (N, J) rad; NaN where unknown."""
 
     t: Array
     keypoints: Array
@@ -39,11 +39,11 @@ class RecordedMotion:
     angles: Array
 
     def copy(self) -> RecordedMotion:
-        """One that can be changed."""
+        """A copy that can be changed."""
         return RecordedMotion(self.t, self.keypoints.copy(), self.q.copy(), self.angles.copy())
 
     def part(self, rows: slice | IntArray) -> RecordedMotion:
-        """Some of the rows, as a copy."""
+        """A copy of some of the rows."""
         return RecordedMotion(
             self.t[rows].copy(),
             self.keypoints[rows].copy(),
@@ -53,7 +53,7 @@ class RecordedMotion:
 
 
 class SessionSkeleton:
-    """Which keypoints and angles belong to which segment of a session's hand."""
+    """Assignment of keypoints and angles to the segments of a session's hand."""
 
     def __init__(self, info: SessionInfo) -> None:
         self.hand = info.hand
@@ -75,7 +75,7 @@ class SessionSkeleton:
         return [c for c in self.hand.axis_columns[segment] if c >= 0]
 
     def joint_turns(self, segment: int, angles: Array) -> Rotation:
-        """R_parentB of a segment at the angles (n, J): its rest, then its joint."""
+        """R_parentB of a segment at the angles (n, J): its rest rotation, then its joint's."""
         columns = self.hand.axis_columns[segment]
         turns = np.column_stack(
             [angles[:, c] if c >= 0 else np.zeros(len(angles)) for c in columns]
@@ -95,9 +95,9 @@ def fill_motion(
     """Fills ``motion``, strictly between the rows given for each column of a keypoint. Returns
     which keypoints (N, K) and which angles (N, J) were filled.
 
-    free_angles (N, J): angles that may be replaced; those of an unfilled joint never are. ``shape``
-    has the rows of ``motion``: its course is used in a gap, moved so that both ends fit. A gap with
-    an unknown end, parent or shape is not changed.
+    free_angles (N, J): angles that may be replaced; those of an unfilled joint are not. ``shape``
+    has the same rows as ``motion``: a gap follows its course, shifted to fit at both ends. A gap
+    with an unknown end, parent or shape is not changed.
     """
     filler = _Filler(motion, skeleton, free_angles, method == CUBIC, shape)
     for segment in range(len(skeleton.hand.segments)):
@@ -124,7 +124,7 @@ class _Filler:
         self.angles = np.zeros(motion.angles.shape, bool)
 
     def fill_segment(self, segment: int, rows: Rows) -> None:
-        """The pose of a segment, its angles first."""
+        """Fills the pose of a segment, its angles first."""
         for column in self._of.angles_of(segment):
             self._fill_angle(column, rows)
         parent = self._of.hand.parent[segment]
@@ -138,7 +138,7 @@ class _Filler:
         self._put(self._of.origin[segment], parent, inside, p, q)
 
     def fill_point(self, segment: int, k: int, rows: Rows) -> None:
-        """A keypoint that is fixed to a segment."""
+        """Fills a keypoint that is fixed to a segment."""
         position = self._local_position(self._m, segment, k)
         p = self._vectors(position, rows, self._shaped_position(segment, k))
         if p is None:
@@ -202,7 +202,8 @@ class _Filler:
     # --- between two rows
 
     def _vectors(self, values: Array, rows: Rows, shape: Array | None) -> Array | None:
-        """(n, C) between the ``rows`` of values (N, C); None where something is not known."""
+        """(n, C) interpolated between the ``rows`` of values (N, C); None if a required value is
+        unknown."""
         a, b = rows
         if shape is not None:
             values = values - shape
@@ -213,14 +214,15 @@ class _Filler:
         if self._cubic:
             span = self._m.t[b] - self._m.t[a]
             speeds = [_speed(self._m.t, values, a, -1), _speed(self._m.t, values, b, 1)]
-            out = _hermite(u, values[a], values[b], *(_carried(v, span) for v in speeds))
+            out = _hermite(u, values[a], values[b], *(_extrapolated(v, span) for v in speeds))
         if shape is None:
             return out
         out = out + shape[a + 1 : b]
         return out if np.isfinite(out).all() else None
 
     def _turns(self, segment: int, turn: Array, rows: Rows) -> Array | None:
-        """(n, 4) of a segment in its parent, between the ``rows`` of its turns (N, 4)."""
+        """(n, 4) rotations of a segment in its parent, interpolated between the ``rows`` of
+        ``turns`` (N, 4)."""
         a, b = rows
         base = self._bases(segment, rows)
         if base is not None:
@@ -235,8 +237,8 @@ class _Filler:
         return out if np.isfinite(out).all() else None
 
     def _bases(self, segment: int, rows: Rows) -> Array | None:
-        """(n + 2, 4) what the turn is described by at the rows and between them: the shape, or
-        the joint's angles; None where it is described by nothing."""
+        """(n + 2, 4) reference rotations at the rows and between them: the shape's, or those of the
+        joint's angles; None without either."""
         a, b = rows
         if self._shape is not None:
             return self._local_turn(self._shape, segment)[a : b + 1]
@@ -255,10 +257,12 @@ class _Filler:
         first, last = (Rotation.from_quat(turn[i]) for i in rows)
         vector = (first.inv() * last).as_rotvec()
         span = self._m.t[b] - self._m.t[a]
-        v_a = _speed(self._m.t, _vectors_from(turn, first), a, -1)
-        v_b = _speed(self._m.t, _vectors_from(turn, last), b, 1)
+        v_a = _speed(self._m.t, _rotation_vectors(turn, first), a, -1)
+        v_b = _speed(self._m.t, _rotation_vectors(turn, last), b, 1)
         v_b = _right_jacobian_inverse(vector) @ v_b
-        course = _hermite(u, np.zeros(3), vector, _carried(v_a, span), _carried(v_b, span))
+        course = _hermite(
+            u, np.zeros(3), vector, _extrapolated(v_a, span), _extrapolated(v_b, span)
+        )
         return np.asarray((first * Rotation.from_rotvec(course)).as_quat())
 
     def _shares(self, rows: Rows) -> Array:
@@ -266,8 +270,8 @@ class _Filler:
         return np.asarray((t[1:-1] - t[0]) / (t[-1] - t[0]))
 
 
-def _carried(speed: Array, span: float) -> Array:
-    """Returns the distance at a speed for at most `SPEED_FOR`."""
+def _extrapolated(speed: Array, span: float) -> Array:
+    """Returns the change at a speed that lasts for at most `SPEED_FOR`."""
     return np.asarray(speed * min(span, SPEED_FOR))
 
 
@@ -283,7 +287,7 @@ def _hermite(u: Array, a: Array, b: Array, slope_a: Array, slope_b: Array) -> Ar
 
 
 def _speed(t: Array, values: Array, row: int, side: int) -> Array:
-    """(C,) per s at a row, from a line through it and its neighbours on one side."""
+    """(C,) per s at a row, from a line fitted to it and its neighbours on one side."""
     low, high = (t[row] - SPEED_OVER, t[row]) if side < 0 else (t[row], t[row] + SPEED_OVER)
     first, last = np.searchsorted(t, low - 1e-9), np.searchsorted(t, high + 1e-9, side="right")
     rows = np.arange(first, last)
@@ -294,7 +298,7 @@ def _speed(t: Array, values: Array, row: int, side: int) -> Array:
     return np.asarray(away @ (values[rows] - values[rows].mean(axis=0)) / (away @ away))
 
 
-def _vectors_from(turn: Array, of: Rotation) -> Array:
+def _rotation_vectors(turn: Array, of: Rotation) -> Array:
     """(N, 3) rotation vectors from ``of`` to each turn, in its axes."""
     out = np.full((len(turn), 3), np.nan)
     known = np.isfinite(turn).all(axis=1)
@@ -303,7 +307,8 @@ def _vectors_from(turn: Array, of: Rotation) -> Array:
 
 
 def _right_jacobian_inverse(vector: Array) -> Array:
-    """(3, 3): how a rotation vector changes with a turn at its end, in the end's axes."""
+    """(3, 3) inverse right Jacobian: the change of a rotation vector by a small rotation on the
+    right."""
     K, angle = so3.skew(vector), float(np.linalg.norm(vector))
     if angle < 1e-6:
         return np.eye(3) + 0.5 * K
@@ -316,7 +321,7 @@ def _inverse(q: Array) -> Array:
 
 
 def _product(a: Array, b: Array) -> Array:
-    """(N, 4) of quaternions xyzw; NaN where one is."""
+    """(N, 4) products of quaternions xyzw; NaN where a factor is."""
     v, w, x, y = a[:, :3], a[:, 3:], b[:, :3], b[:, 3:]
     vector = w * x + y * v + np.cross(v, x)
     return np.hstack([vector, w * y - (v * x).sum(axis=1, keepdims=True)])

@@ -1,4 +1,4 @@
-"""Intervals that overlap, as one."""
+"""Merges overlapping intervals."""
 
 from __future__ import annotations
 

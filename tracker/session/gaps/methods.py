@@ -1,4 +1,4 @@
-"""How a gap can be filled. Quick to import."""
+"""The methods of filling gaps. Quick to import."""
 
 from __future__ import annotations
 

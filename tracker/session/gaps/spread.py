@@ -1,4 +1,4 @@
-"""How far an interpolation is off in the middle of a gap: tried on the session's own motion."""
+"""The error of interpolation in the middle of a gap, measured on the session's own motion."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ from tracker.session.gaps.interpolate import (
 )
 from tracker.session.holes import LONGEST_FILLED
 
-TRIALS = 24  # gaps that are tried for each length
-_HALVINGS = 6  # of a length that the session has no whole stretch of
-_GROWTH = 2**1.5  # error of twice the length, where it was not tried: between 2 and 2²
-_PER_OCTAVE = 2  # lengths that are tried apart
+TRIALS = 24  # trial gaps for each length
+_HALVINGS = 6  # of a length for which the session has no complete stretch
+_GROWTH = 2**1.5  # of the error with twice the length, for extrapolation: between 2 and 2²
+_PER_OCTAVE = 2  # trial lengths
 
 
 class Spread:
-    """Returns errors of one method on a hand's ``motion``, in which ``known`` (N, K) was not
+    """Errors of one method on a hand's ``motion``; ``known`` (N, K) are values that were not
     interpolated.
 
-    Gaps of the same length are cut where the hand is known, evenly over the session, filled, and
-    compared with the removed motion. The motion around a real gap may be faster.
+    Trial gaps of the same length are cut where the hand is known, evenly over the session, filled,
+    and compared with the removed motion. The motion around a real gap may be faster.
     """
 
     def __init__(
@@ -41,18 +41,19 @@ class Spread:
         """``shape``: as for `fill_motion`, with the rows of ``motion``."""
         self._m, self._known, self._of, self._method = motion, known, skeleton, method
         self._shape = shape
-        self._tried: dict[tuple[object, ...], Array] = {}
+        self._measured: dict[tuple[object, ...], Array] = {}
 
     def middle(self, columns: Sequence[int], angles: Sequence[int], length: float) -> Array:
         """(n,) m standard deviation of each keypoint of ``columns`` along an axis, in the middle of
-        a gap of ``length`` s in which also ``angles`` are missing; NaN if no stretch is long."""
+        a gap of ``length`` s in which also ``angles`` are missing; NaN if no stretch is long
+        enough."""
         octave = round(_PER_OCTAVE * np.log2(length))
         key = (tuple(columns), tuple(angles), octave)
-        if key not in self._tried:
-            self._tried[key] = self._try(columns, angles, 2.0 ** (octave / _PER_OCTAVE))
-        return self._tried[key]
+        if key not in self._measured:
+            self._measured[key] = self._measure(columns, angles, 2.0 ** (octave / _PER_OCTAVE))
+        return self._measured[key]
 
-    def _try(self, columns: Sequence[int], angles: Sequence[int], length: float) -> Array:
+    def _measure(self, columns: Sequence[int], angles: Sequence[int], length: float) -> Array:
         for halved in range(_HALVINGS + 1):
             part = length / 2**halved
             trials = [self._error(rows, columns, angles) for rows in self._stretches(columns, part)]
@@ -108,8 +109,8 @@ def _forget(
 
 
 def grown(share: Array, first: Array, last: Array, middle: Array) -> Array:
-    """(n, K) m at the shares (n,) of gaps, from the standard deviations (K,) at both ends and what
-    an interpolation adds in the middle (K,): as a bridge between two known points spreads."""
+    """(n, K) m standard deviations at the shares (n,) of gaps, from those at both ends (K,) and
+    what interpolation adds in the middle (K,): the variance of a Brownian bridge."""
     u = share[:, None]
     ends = (1 - u) * np.nan_to_num(first) ** 2 + u * np.nan_to_num(last) ** 2
     return np.asarray(np.sqrt(ends + 4 * u * (1 - u) * middle**2))

@@ -1,4 +1,4 @@
-"""Writes a session with filled gaps: a copy in which these estimates alone differ."""
+"""Writes a session with filled gaps: a copy in which only these estimates differ."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def write_filled(
 ) -> None:
     """Copy ``reader``'s session to ``path`` with the estimates of ``fills``, by side.
 
-    ``edit`` joins the record of earlier edits. All other messages are copied byte for byte.
+    ``edit`` is added to the record of earlier edits. All other messages are copied byte for byte.
     """
     out = McapOutput(path, sync=False)
     try:
@@ -62,7 +62,7 @@ def _log_times(reader: SessionReader, side: str) -> dict[int, int]:
     return {raw.publish_time: raw.log_time for raw in ordered(reader.source, topic)}
 
 
-class _New(NamedTuple):
+class _NewMessage(NamedTuple):
     """A message that is sorted by log time and, among a hand's estimates, by stamp."""
 
     log_time: int
@@ -77,7 +77,7 @@ class _HandCopy:
         self._spans = np.array(fill.spans, np.int64).reshape(-1, 2)
         self._topics = {topics.hand(info.side, what) for what in _OF_ESTIMATE}
         self._segments = {f"{info.side}_{name}" for name in info.hand.segment_names}
-        self._coming = deque(_encoded(info, fill, log_times))
+        self._next_message = deque(_encoded(info, fill, log_times))
 
     def _is_mine(self, raw: RawMessage) -> bool:
         if raw.topic == topics.TF:
@@ -86,17 +86,17 @@ class _HandCopy:
 
     def write_before(self, raw: RawMessage, copier: Copier) -> None:
         """Returns the new messages before a message of the session."""
-        while self._coming and self._coming[0].log_time <= raw.log_time:
-            first = self._coming[0]
+        while self._next_message and self._next_message[0].log_time <= raw.log_time:
+            first = self._next_message[0]
             if first.log_time == raw.log_time and not (
                 self._is_mine(raw) and first.stamp < raw.publish_time
             ):
                 return
-            _put(self._coming.popleft(), copier)
+            _put(self._next_message.popleft(), copier)
 
     def write_rest(self, copier: Copier) -> None:
-        while self._coming:
-            _put(self._coming.popleft(), copier)
+        while self._next_message:
+            _put(self._next_message.popleft(), copier)
 
     def unreplaced(self, raw: RawMessage) -> RawMessage | None:
         """Returns the message to copy; None for an estimate that is replaced."""
@@ -110,15 +110,15 @@ class _HandCopy:
         return raw._replace(data=motion.pack_transforms(others)) if others else None
 
 
-def _put(new: _New, copier: Copier) -> None:
+def _put(new: _NewMessage, copier: Copier) -> None:
     out = new.out
     copier.write(RawMessage(out.topic, out.type, new.log_time, out.stamp, out.sequence, out.data))
 
 
-def _encoded(info: SessionInfo, fill: HandFill, log_times: Mapping[int, int]) -> list[_New]:
-    """The messages of the filled estimates; after each span the states that hold again."""
+def _encoded(info: SessionInfo, fill: HandFill, log_times: Mapping[int, int]) -> list[_NewMessage]:
+    """The messages of the filled estimates; after each span, the original states are repeated."""
     stamps = np.array(sorted(log_times), np.int64)
-    out: list[_New] = []
+    out: list[_NewMessage] = []
     for (start, stop), after in zip(fill.spans, fill.afterwards, strict=True):
         encoder = Encoder(info, ImageCoding())
         earliest = log_times[start]
@@ -128,8 +128,8 @@ def _encoded(info: SessionInfo, fill: HandFill, log_times: Mapping[int, int]) ->
                 continue
             latest = log_times[int(stamps[np.searchsorted(stamps, stamp)])]
             earliest = min(max(log_times.get(stamp, stamp), earliest), latest)
-            out += [_New(earliest, stamp, o) for o in encoder.estimate(e)]
+            out += [_NewMessage(earliest, stamp, o) for o in encoder.estimate(e)]
         states = topics.hand(info.side, "states")
         again = [o for o in encoder.estimate(after) if o.topic == states]
-        out += [_New(log_times[stop], stop - 1, o) for o in again]
+        out += [_NewMessage(log_times[stop], stop - 1, o) for o in again]
     return out

@@ -1,1 +1,1 @@
-"""The container: MCAP files on disk, damaged ones too."""
+"""The container: MCAP files on disk, including damaged ones."""

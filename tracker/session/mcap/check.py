@@ -77,19 +77,22 @@ def _fields(records: Mapping[int, object]) -> dict[int, dict[str, object]]:
 
 
 def _message_index_damage(file: McapFile, span: Span) -> list[Damage]:
-    """Where the indexes behind a chunk do not name just its messages."""
+    """Faults of a chunk whose message indexes do not match its messages."""
     if file.record(span.offset)[0] != Opcode.CHUNK:
         return []
     try:
-        named, there = _named(file, span.offset + span.length), _there(file, span)
+        named, there = (
+            _indexed_messages(file, span.offset + span.length),
+            _chunk_messages(file, span),
+        )
     except (FileError, struct.error):
-        return []  # a damaged chunk is spoken of already
+        return []  # a damaged chunk is reported elsewhere
     if named and named != there:
         return [Damage(span.offset, failure("check.message_index"))]
     return []
 
 
-def _named(file: McapFile, at: int) -> _Entries:
+def _indexed_messages(file: McapFile, at: int) -> _Entries:
     """Returns (log time, offset in the chunk) by channel, from the index records at ``at``."""
     out: _Entries = {}
     while True:
@@ -104,7 +107,7 @@ def _named(file: McapFile, at: int) -> _Entries:
         at += 9 + length
 
 
-def _there(file: McapFile, span: Span) -> _Entries:
+def _chunk_messages(file: McapFile, span: Span) -> _Entries:
     """Returns the same from the chunk itself."""
     out: defaultdict[int, list[tuple[int, int]]] = defaultdict(list)
     at = 0

@@ -1,4 +1,4 @@
-"""Chunks unpacked within bounds, and the records inside."""
+"""Unpacks chunks within size limits, and reads their records."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from tracker.base.errors import DataError
 from tracker.base.notices import notice
 from tracker.session.mcap.records import BAD_RECORD, LIMIT
 
-INNOCENT = 4 * 2**20  # bytes that a chunk may unpack to whatever its packed size
-MOST_SWELLING = 250  # times its packed size beyond that; sensors' data swell ten times at most
+ALWAYS_ALLOWED = 4 * 2**20  # bytes to which any chunk may unpack
+MAX_EXPANSION = 250  # times the packed size for larger ones; sensor data expand ten times at most
 _HEAD = struct.Struct("<QQQII")
 _RECORD = struct.Struct("<BQ")
 MESSAGE = struct.Struct("<HIQQ")
@@ -42,7 +42,7 @@ def unpacked(chunk: bytes) -> bytes:
         _, _, size, crc, n = _HEAD.unpack_from(chunk)
         name = chunk[32 : 32 + n].decode()
         packed = chunk[40 + n :]
-        if size > LIMIT or size > max(INNOCENT, MOST_SWELLING * len(packed)):
+        if size > LIMIT or size > max(ALWAYS_ALLOWED, MAX_EXPANSION * len(packed)):
             raise DataError(notice("data.declared_size", size_bytes=size))
         data = decompress(name, packed, size)
     except DataError:
@@ -76,9 +76,9 @@ def records(block: bytes) -> Iterator[tuple[int, bytes]]:
 def message_records(block: bytes, length: int) -> Iterator[tuple[int, bytes]]:
     """Yields `records` of a span of ``length`` bytes of the file.
 
-    Raises ValueError also for a record that is not allowed in a chunk, and for more records than
-    fit in so few bytes: a message has two times and a number of its own, which compression cannot
-    reduce below four bytes. So the work on a file is bounded by its size.
+    Raises ValueError also for a record that is not allowed in a chunk, and for more records than so
+    few bytes can contain: every message has two times and a number, which compression cannot reduce
+    below four bytes. So the work on a file is bounded by its size.
     """
     most = _FEW + length // _FEWEST_BYTES
     for n, (opcode, body) in enumerate(records(block)):

@@ -1,4 +1,4 @@
-"""Writing an MCAP of profile ``ros2`` whose chunks close by size and by time.
+"""Writes MCAP files of profile ``ros2`` whose chunks are closed by size and by time.
 
 A thread of its own synchronises the file with the disk, which takes milliseconds on a disk and
 tenths of a second on a memory card or a loaded one. Meanwhile the next chunks are written, and one
@@ -28,21 +28,22 @@ class SyncThread:
 
     def __init__(self, sync: Callable[[], None]) -> None:
         self._sync = sync
-        self._asked, self._ending = threading.Event(), False
+        self._requested, self._ending = threading.Event(), False
         self._error: DiskError | None = None
         self._thread = threading.Thread(target=self._run, name="glovetrack-sync", daemon=True)
         self._thread.start()
 
     def soon(self) -> None:
-        """What is written by now goes down to the disk. Raises DiskError of an earlier time."""
+        """Request that everything written so far is synchronised. Raises DiskError of an earlier
+        synchronisation."""
         if self._error is not None:
             raise self._error
-        self._asked.set()
+        self._requested.set()
 
     def _run(self) -> None:
         while True:
-            self._asked.wait()
-            self._asked.clear()
+            self._requested.wait()
+            self._requested.clear()
             if self._ending:
                 return
             try:
@@ -52,9 +53,9 @@ class SyncThread:
                 return
 
     def end(self) -> None:
-        """Waits for the current synchronisation, which is the last one."""
+        """Wait for the current synchronisation and end the thread."""
         self._ending = True
-        self._asked.set()
+        self._requested.set()
         self._thread.join()
 
 
@@ -70,7 +71,7 @@ MOST_CHANNELS = 65_535
 
 
 class _Waiting(NamedTuple):
-    """A message that is not in the file yet."""
+    """A message that has not been written to the file yet."""
 
     log_time: int
     channel: int
@@ -82,7 +83,7 @@ class _Waiting(NamedTuple):
 class McapOutput:
     """An MCAP being written.
 
-    ``chunk_ns``: the longest log time that may be unwritten, and that a chunk spans. Late messages,
+    ``chunk_ns``: the longest log time that a chunk spans and that may be unwritten. Late messages,
     after others of a later log time, go into chunks of their own. ``sync``: synchronise each chunk
     with the disk, against loss of power; ``sync_in_thread``: without waiting for it.
     """
@@ -111,8 +112,8 @@ class McapOutput:
         self._n_channels = self._n_schemas = 0
         self._chunk_bytes = chunk_bytes
         self._waiting: list[_Waiting] = []
-        self._held = 0  # bytes that wait
-        self._newest = self._opened = 0  # latest log time of all; what it was when waiting began
+        self._waiting_bytes = 0  # bytes of waiting messages
+        self._newest = self._opened = 0  # latest log time of all; the same when waiting began
 
     @property
     def size(self) -> int:
@@ -154,7 +155,7 @@ class McapOutput:
         return self._channels[topic]
 
     def write(self, channel: int, log_time: int, stamp: int, data: bytes, sequence: int) -> None:
-        """Add one message; what waits is written first if it has waited long enough."""
+        """Add one message; waiting ones are written first if they have waited long enough."""
         newest = max(self._newest, log_time)
         if self._waiting and newest - self._opened >= self._chunk_ns:
             self.close_chunk()
@@ -165,8 +166,8 @@ class McapOutput:
         self._waiting.append(
             _Waiting(max(log_time, 0), channel, max(stamp, 0), sequence, bytes(data))
         )
-        self._held += len(data)
-        if self._held > self._chunk_bytes:
+        self._waiting_bytes += len(data)
+        if self._waiting_bytes > self._chunk_bytes:
             self.close_chunk()
 
     def close_chunk(self) -> None:
@@ -178,8 +179,8 @@ class McapOutput:
             self._file.sync()
 
     def _write_waiting(self) -> None:
-        """In the order of log times, and of arrival where these are the same."""
-        waiting, self._waiting, self._held = self._waiting, [], 0
+        """Writes waiting messages in the order of log times, and of arrival if these are equal."""
+        waiting, self._waiting, self._waiting_bytes = self._waiting, [], 0
         begun = None
         for m in sorted(waiting, key=lambda m: m.log_time):
             if begun is not None and m.log_time - begun >= self._chunk_ns:
@@ -201,7 +202,7 @@ class McapOutput:
             self._file.close()
 
     def abandon(self) -> None:
-        """Closes the file unfinished; `recover` makes a regular one of it."""
+        """Closes the file unfinished; `recover` can complete it."""
         self._end_sync()
         self._file.close()
 

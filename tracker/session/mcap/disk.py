@@ -1,4 +1,4 @@
-"""The file under a recording: whole records only, on a disk that may fill up or vanish."""
+"""The file of a recording: only whole records, on a disk that may fill up or be disconnected."""
 
 from __future__ import annotations
 
@@ -36,12 +36,12 @@ class WholeRecordFile:
             while view:
                 view = view[os.write(self._fd, view) :]
         except OSError as error:
-            self._forget_part()
+            self._remove_partial()
             raise disk_error(self._path, error) from error
         self._size += len(data)
         return len(data)
 
-    def _forget_part(self) -> None:
+    def _remove_partial(self) -> None:
         """Removes the rest of a failed write, unless the disk is disconnected."""
         with contextlib.suppress(OSError):
             os.ftruncate(self._fd, self._size)
@@ -51,7 +51,7 @@ class WholeRecordFile:
         return self._size
 
     def flush(self) -> None:
-        """Nothing is held back."""
+        """Does nothing: writes are not buffered."""
 
     def sync(self) -> None:
         """Synchronises the file with the disk, against loss of power."""
@@ -70,7 +70,7 @@ class WholeRecordFile:
 
 
 def automatic_path(folder: Path, wall_ns: int, label: str = "") -> Path:
-    """A name that no file in ``folder`` has: ``2026-11-21_05-17-03[_label].mcap`` (UTC)."""
+    """A path that no file in ``folder`` has: ``2026-11-21_05-17-03[_label].mcap`` (UTC)."""
     stem = datetime.fromtimestamp(wall_ns // NS, UTC).strftime("%Y-%m-%d_%H-%M-%S")
     part = name_part(label)[:40]
     return free_path(folder / (f"{stem}_{part}.mcap" if part else f"{stem}.mcap"))

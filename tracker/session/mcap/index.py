@@ -24,12 +24,12 @@ from tracker.session.mcap.records import BAD_RECORD, LATEST, LIMIT, MAGIC, Damag
 from tracker.session.mcap.spans import LooseMessages, Span, Spans
 
 _CHUNK = struct.Struct("<QQQI")
-_FOOTER = 37  # bytes of the footer record and the magic behind it
+_FOOTER = 37  # bytes of the footer record and the magic bytes after it
 
 
 @dataclass
 class Contents:
-    """What is where in a file."""
+    """The offsets of a file's contents."""
 
     profile: str = ""
     library: str = ""
@@ -92,7 +92,7 @@ def span_records(file: McapFile, span: Span) -> Iterator[tuple[int, bytes]]:
 
 
 def _footer(file: McapFile) -> bytes | None:
-    """The footer record and the magic behind it; None where the file was never finished."""
+    """The footer record and the magic bytes after it; None if the file was not finished."""
     tail = file.at(max(file.size - _FOOTER, 0), _FOOTER)
     ends = len(tail) == _FOOTER and tail[-8:] == MAGIC and tail[0] == Opcode.FOOTER
     return tail if ends else None
@@ -151,7 +151,7 @@ def _read_summary_record(file: McapFile, contents: Contents, opcode: int, body: 
 
 
 class _Scan:
-    """A walk over the records from the start as far as they are whole."""
+    """Scans the records from the start as far as they are whole."""
 
     def __init__(self, file: McapFile, contents: Contents) -> None:
         self._file, self._contents = file, contents
@@ -192,9 +192,9 @@ class _Scan:
                 c.damage.append(Damage(at, failure("check.definition")))
 
     def _visit_chunk(self, at: int, length: int) -> None:
-        """Note a chunk; it is opened only if it speaks of channels that are still unknown. If it
-        does not define them, those before it are: a writer may define a channel at the end of a
-        chunk and begin with its messages in a later one."""
+        """Registers a chunk; it is opened only if it has channels that are still unknown. If it
+        does not define them, earlier chunks are opened: a writer may define a channel at the end of
+        a chunk and write its messages in a later one."""
         c = self._contents
         if length < _CHUNK.size:
             c.damage.append(Damage(at, failure("check.short_chunk")))
@@ -213,7 +213,7 @@ class _Scan:
             except (FileError, *BAD_RECORD) as error:
                 c.damage.append(Damage(at, failure("check.chunk", why=str(error))))
                 return
-            self._look_back_for(ids)
+            self._search_earlier_chunks(ids)
         c.spans.add(span)
 
     def _define_from(self, span: Span) -> None:
@@ -222,7 +222,7 @@ class _Scan:
             if opcode != Opcode.MESSAGE:
                 self._contents.define(opcode, body)
 
-    def _look_back_for(self, ids: frozenset[int]) -> None:
+    def _search_earlier_chunks(self, ids: frozenset[int]) -> None:
         """Open earlier chunks, the last one first and each once, until these channels are known."""
         while self._closed and not ids <= self._contents.channels.keys():
             with contextlib.suppress(FileError, *BAD_RECORD):  # reported when its messages are read

@@ -1,4 +1,4 @@
-"""Messages of a file in the order of their log times, in little memory."""
+"""Reads messages of a file in the order of their log times, with little memory."""
 
 from __future__ import annotations
 
@@ -50,10 +50,10 @@ def last_before(
     time: int,
     check: Callable[[RawMessage], None] = lambda raw: None,
 ) -> RawMessage | None:
-    """The latest message of a topic with log_time < ``time`` (ns), of equal ones the last in the
-    file, that ``check`` does not find damaged: it raises one of `tracker.base.damage.DAMAGE`."""
+    """The latest undamaged message of a topic with log_time < ``time`` (ns), of equal ones the last
+    in the file. ``check`` raises one of `tracker.base.damage.DAMAGE` for a damaged message."""
     wanted = frozenset([topic])
-    best: _Placed | None = None
+    best: _OrderedMessage | None = None
     for span in source.spans_with(wanted, 0, time, back=True):
         best = _latest_in(source, span, wanted, time, check)
         if best is not None:
@@ -68,7 +68,7 @@ def last_before(
     return best.message
 
 
-class _Placed(NamedTuple):
+class _OrderedMessage(NamedTuple):
     """A message, and its log time (ns), span's offset and position in the span."""
 
     place: tuple[int, int, int]
@@ -82,10 +82,11 @@ def _latest_in(
     time: int,
     check: Callable[[RawMessage], None],
     after: tuple[int, int, int] = (-1, 0, 0),
-) -> _Placed | None:
-    """The latest undamaged message of a span before ``time`` (ns); None if it is not ``after``."""
+) -> _OrderedMessage | None:
+    """The latest undamaged message of a span before ``time`` (ns); None unless it is after
+    ``after``."""
     found = [
-        _Placed((m.log_time, span.offset, i), m)
+        _OrderedMessage((m.log_time, span.offset, i), m)
         for i, m in enumerate(source.messages_in(span, wanted))
         if m.log_time < time
     ]

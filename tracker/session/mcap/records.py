@@ -1,4 +1,4 @@
-"""The bytes of an MCAP file: records by their offset, validated before use.
+"""Reads records of an MCAP file by offset, validated before use.
 
 Every length is checked against the file's size before use, and no record makes the reader allocate
 more than `LIMIT` bytes.
@@ -78,7 +78,7 @@ class McapFile:
 
     @contextmanager
     def explained(self, offset: int) -> Iterator[None]:
-        """Turns what goes wrong with the record at ``offset`` into a FileError."""
+        """Converts errors with the record at ``offset`` to a FileError."""
         try:
             yield
         except BAD_RECORD as error:

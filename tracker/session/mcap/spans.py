@@ -1,4 +1,4 @@
-"""Where in a file the messages of which times are."""
+"""The parts of a file by the log times of their messages."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ RUN = 2**20
 
 
 class Span(NamedTuple):
-    """A stretch of the file with messages of a span of log times: a chunk, or loose messages."""
+    """A part of the file with messages from an interval of log times: a chunk, or loose
+    messages."""
 
     start: int
     end: int
@@ -23,7 +24,7 @@ class Span(NamedTuple):
 
 
 class Spans:
-    """Many spans in little memory (an hour of images makes 400 000 of them)."""
+    """Many spans in little memory (an hour of images has 400,000)."""
 
     def __init__(self) -> None:
         self._numbers = array("Q")
@@ -47,7 +48,7 @@ class Spans:
 
     @property
     def channels(self) -> frozenset[int]:
-        """Ids of all channels that spans are known to hold messages of."""
+        """Ids of all channels with messages in known spans."""
         return frozenset().union(*self._known)
 
     def bounds(self) -> tuple[int, int]:
@@ -63,7 +64,7 @@ class Spans:
         return order[first:last]
 
     def _sorted(self) -> tuple[NDArray[np.int64], NDArray[np.uint64], NDArray[np.uint64]]:
-        """Order, starts in it, and the latest end up to each."""
+        """The spans' order by start, the starts in that order, and the latest end up to each."""
         if self._order is None or len(self._order[0]) != len(self):
             rows = np.array(self._numbers, np.uint64).reshape(-1, 4)
             order = np.lexsort((rows[:, 2], rows[:, 0]))

@@ -1,6 +1,6 @@
 """The recorder's process: waits for recordings to begin, and writes one after the other.
 
-It ends with the pipe. A window that is killed closes the pipe, too: messages received until then
+It ends when the pipe is closed, also because the window was killed: messages received until then
 are written, and the file is finished.
 """
 
@@ -73,12 +73,12 @@ class ImageCompression:
             yield self._waiting.popleft().result()
 
     def finish_all(self) -> Iterator[PackedFrame]:
-        """The same, and those that are not ready yet."""
+        """Waits for all pairs and yields them in their original order."""
         while self._waiting:
             yield self._waiting.popleft().result()
 
     def close(self) -> None:
-        """What was not begun is given up."""
+        """Discard pairs whose compression has not begun."""
         self._pool.shutdown(cancel_futures=True)
 
 
@@ -92,7 +92,7 @@ class _Signal(Enum):
 
 
 class _Inbox:
-    """Messages from the pipe, read immediately: the pipe is small, and the window may die."""
+    """Messages from the pipe, read immediately: the pipe is small, and the window may be killed."""
 
     def __init__(self, pipe: Connection) -> None:
         self._pipe = pipe
@@ -109,21 +109,21 @@ class _Inbox:
             self._items.put(_Signal.ENDS)
 
     def get(self) -> Any:
-        """The next thing; waits for it."""
+        """Returns the next item; waits for it."""
         item = self._items.get()
         if not isinstance(item, _Signal):
             self._room.release()
         return item
 
     def post(self, what: _Signal) -> None:
-        """To be called from any thread or signal."""
+        """Adds an item; may be called from any thread or signal handler."""
         self._items.put(what)
 
 
 def serve(pipe: Connection, prepare: Callable[[], object] | None) -> None:
     """Run until the pipe closes; ``prepare`` is called first."""
     inbox = _Inbox(pipe)
-    for name in ("SIGINT", "SIGHUP"):  # meant for the window, which then ends this process
+    for name in ("SIGINT", "SIGHUP"):  # intended for the window, which then ends this process
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), signal.SIG_IGN)
     signal.signal(signal.SIGTERM, lambda *_: inbox.post(_Signal.ENDS))
@@ -137,7 +137,7 @@ def serve(pipe: Connection, prepare: Callable[[], object] | None) -> None:
 
 
 def _recorded(begin: Begin, pipe: Connection, inbox: _Inbox) -> bool:
-    """One recording; False where this process is to end after it."""
+    """Writes one recording; returns False if this process has to end afterwards."""
     try:
         recorder = SessionRecorder(begin.path, begin.info, begin.params)
     except (GlovetrackError, OSError) as error:
@@ -174,7 +174,7 @@ class _Recording:
         self._failed = False
 
     def run(self) -> bool:
-        """Whether the window is still there at the end."""
+        """Writes until the end; returns whether the window is still connected."""
         try:
             while True:
                 item = self._inbox.get()

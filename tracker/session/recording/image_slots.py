@@ -45,7 +45,7 @@ class ImageInSlot(NamedTuple):
 
 
 class ImageSlots:
-    """The sending side; ``opened`` is the location of the images for the other one.
+    """The sending side; ``opened`` is called with new memory, to be sent to the receiving side.
 
     The lowest free slot is used, so memory is used only as far as images accumulate. Raises
     NoSharedMemory if there is no room for the first.
@@ -54,7 +54,7 @@ class ImageSlots:
     def __init__(self, number: int, slot_bytes: int) -> None:
         slots = min(MOST_SLOTS, max(FEWEST_SLOTS, MOST_BYTES // max(slot_bytes, 1)))
         self._memory = sparse_memory(slots * (slot_bytes + 1))
-        self._room, self._ready = RoomFor(self._memory), 0  # places that have room
+        self._room, self._ready = RoomFor(self._memory), 0  # slots with reserved memory
         self.opened = SlotsOpened(number, self._memory.name, slots, slot_bytes)
         try:
             self._room.reserve(0, slots)
@@ -103,7 +103,7 @@ class ImageSlots:
         return slot
 
     def close(self) -> None:
-        """Give the memory back once the other side has, too."""
+        """Free the memory once the other side has freed it, too."""
         forget_name(self._memory)  # if the other side has not attached to it
         self._room.close()
         self._memory.close()
@@ -140,5 +140,5 @@ def _bytes(memory: SharedMemory) -> memoryview:
 
 
 def bytes_of(frame: StereoFrame) -> int:
-    """For both images."""
+    """Returns the bytes that both images need."""
     return sum(i.nbytes for i in (frame.left, frame.right) if i is not None)

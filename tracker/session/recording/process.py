@@ -1,4 +1,4 @@
-"""The recorder's process as the window's sees it."""
+"""The window's interface to the recorder's process."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ from tracker.session.writer import RecorderParams, SessionRecorder
 
 
 class Process(Protocol):
-    """What `RemoteRecorder` wants of a recorder's process."""
+    """What `RemoteRecorder` requires of a recorder's process."""
 
     @property
     def path(self) -> Path: ...
@@ -58,7 +58,7 @@ MOST_TOGETHER = 256  # messages in a batch
 
 
 class RemoteRecorder:
-    """As `tracker.session.writer.SessionRecorder`, in another process; for one thread.
+    """Like `tracker.session.writer.SessionRecorder`, but in another process; for one thread.
 
     Messages are sent in batches, with `flush`. Raises FileError, from any method, when writing has
     failed or the process has ended; NoSharedMemory from `write` if there is no room for images.
@@ -73,7 +73,7 @@ class RemoteRecorder:
 
     @property
     def pid(self) -> int:
-        """For the process that writes."""
+        """The id of the process that writes."""
         return self._process.pid
 
     def write(self, message: Message, overloaded: bool = False, side: str = "") -> bool:
@@ -100,7 +100,7 @@ class RemoteRecorder:
         return self._slots[-1].put(frame)
 
     def flush(self) -> None:
-        """Sends the queued messages, which then do not depend on this process."""
+        """Sends the queued messages, which are then safe if this process is killed."""
         batch, self._batch = self._batch, []
         try:
             if batch:
@@ -133,15 +133,15 @@ class RemoteRecorder:
 
 
 BEGIN_TIMEOUT = 30.0  # s, enough for a process that is just starting on a loaded machine
-SEND_TIMEOUT = 30  # s, for a process that is held up; it reads at once what it is sent
-END_TIMEOUT = 60.0  # s, for a disk that is slow
-LEAVE_TIMEOUT = 5.0  # s, for a process that has nothing to do
+SEND_TIMEOUT = 30  # s, for a delayed process; normally it reads immediately
+END_TIMEOUT = 60.0  # s, for a slow disk
+LEAVE_TIMEOUT = 5.0  # s, for an idle process
 
 
 class RecorderProcess:
-    """Writes one recording after the other; all calls from one thread at a time.
+    """Writes one recording after the other; called by one thread at a time.
 
-    ``prepare`` is called there first; it is pickled.
+    ``prepare`` is pickled, and called in the process first.
     """
 
     def __init__(self, prepare: Callable[[], object] | None = None) -> None:
@@ -157,11 +157,11 @@ class RecorderProcess:
 
     @property
     def alive(self) -> bool:
-        """Whether it can be asked for a recording."""
+        """Whether it can begin a recording."""
         return not self._pipe.closed and self._process.is_alive()
 
     def begin(self, begin: Begin) -> Path:
-        """Open a file; its path. Raises FileError as `SessionRecorder` does."""
+        """Open a file and return its path. Raises FileError as `SessionRecorder` does."""
         self.path, self._reported = begin.path, None
         self._send(begin)
         reply = self._reply(BEGIN_TIMEOUT)
@@ -173,12 +173,12 @@ class RecorderProcess:
         raise self._ended()
 
     def send(self, items: list[Any]) -> None:
-        """Hand over a batch; may wait for the process. Raises what has failed there."""
+        """Send a batch; may wait for the process. Raises errors of the process."""
         self.check()
         self._send(items)
 
     def check(self) -> None:
-        """Raises what has failed there."""
+        """Raises errors of the process."""
         while self._reported is None and self._reply_waits(0.0):
             reply = self._reply(0.0)
             if isinstance(reply, Failed):
@@ -186,7 +186,7 @@ class RecorderProcess:
                 raise reply.error
 
     def end(self) -> None:
-        """Waits until the file is closed. Raises an error there that was not reported yet."""
+        """Waits until the file is closed. Raises errors of the process that were not raised yet."""
         self._send(End())
         failed: Failed | None = None
         while True:
@@ -219,7 +219,8 @@ class RecorderProcess:
             raise self._ended() from error
 
     def _ended(self) -> FileError:
-        """The process has ended, or does not respond; then it ends when its disk responds."""
+        """Handles a process that has ended or does not respond; the latter ends when its disk
+        responds."""
         with suppress(OSError):
             self._pipe.close()
         self._process.join(0.5)
@@ -235,7 +236,7 @@ class RecorderProcess:
         )
 
     def close(self) -> None:
-        """End the process, which has no file open, or does not answer any more."""
+        """End the process, which has no open file or does not respond."""
         with suppress(OSError):
             self._pipe.close()
         if self._left:
@@ -249,7 +250,7 @@ class RecorderProcess:
 
 
 def _limit_sending(pipe: Connection) -> None:
-    """Sending waits at most `SEND_TIMEOUT` for the other side to read. Not on Windows."""
+    """Limits the time to wait for the other side to read to `SEND_TIMEOUT`. Not on Windows."""
     if os.name == "posix":
         with socket.socket(fileno=os.dup(pipe.fileno())) as end:
             limit = struct.pack("ll", SEND_TIMEOUT, 0)
@@ -257,7 +258,7 @@ def _limit_sending(pipe: Connection) -> None:
 
 
 class RecorderProcesses:
-    """A process that waits for the next recording, and more where several run at once.
+    """Keeps a process ready for the next recording, and more if several recordings run at once.
 
     Methods may be called from any thread.
     """
@@ -269,7 +270,7 @@ class RecorderProcesses:
         self._closed = False
 
     def warm(self) -> None:
-        """Have a process ready, so that a recording begins at once."""
+        """Start a process in advance, so that a recording begins immediately."""
         with self._lock:
             self._idle = [p for p in self._idle if p.alive]
             if not self._idle and not self._closed:
@@ -282,7 +283,7 @@ class RecorderProcesses:
         params: RecorderParams | None = None,
         companion: Callable[[SessionRecorder], Sink] | None = None,
     ) -> RemoteRecorder:
-        """Begin a file as `SessionRecorder` does, in another process."""
+        """Begin a recording as `SessionRecorder` does, in another process."""
         self.warm()
         with self._lock:
             process = self._idle.pop() if self._idle else RecorderProcess(self._prepare)
@@ -290,12 +291,14 @@ class RecorderProcesses:
         try:
             process.begin(Begin(Path(path), info, params, companion))
         except GlovetrackError:
-            self._back(process)
+            self._return_process(process)
             raise
-        return RemoteRecorder(process, params.images != "none", lambda: self._back(process))
+        return RemoteRecorder(
+            process, params.images != "none", lambda: self._return_process(process)
+        )
 
-    def _back(self, process: RecorderProcess) -> None:
-        """It has done its work, or failed at it."""
+    def _return_process(self, process: RecorderProcess) -> None:
+        """Takes back a process whose recording has ended or failed."""
         with self._lock:
             wanted = process.alive and not self._idle and not self._closed
             if wanted:
@@ -305,7 +308,7 @@ class RecorderProcesses:
             self.warm()
 
     def close(self) -> None:
-        """End all that wait; one that records ends with its recording."""
+        """End all idle processes; one that records ends with its recording."""
         with self._lock:
             self._closed, waiting, self._idle = True, self._idle, []
         for process in waiting:

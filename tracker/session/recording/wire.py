@@ -1,4 +1,4 @@
-"""What passes between the window's process and the recorder's, through one pipe.
+"""The messages between the window's process and the recorder's, through one pipe.
 
 To the recorder: `Begin`, then lists of `Item`, then `End`. Back: `Begun`, at most one `Failed` at
 any time, and `Ended` in answer to `End`.
@@ -19,7 +19,7 @@ from tracker.session.writer import RecorderParams, SessionRecorder
 
 
 class Sink(Protocol):
-    """Takes messages; a `SessionRecorder`, or something around one."""
+    """Takes messages: a `SessionRecorder` or a wrapper of one."""
 
     def write(self, message: Message, overloaded: bool = False, side: str = "") -> bool: ...
 
@@ -27,14 +27,14 @@ class Sink(Protocol):
 
 
 class PackedState(NamedTuple):
-    """An EngineState as bytes: the recorder need not know engines."""
+    """An EngineState as bytes, so that the recorder does not have to import engines."""
 
     t: float
     data: bytes
 
 
 class OfHand(NamedTuple):
-    """A message of the hand of this side."""
+    """A message of the hand on one side."""
 
     side: str
     message: Message
@@ -45,7 +45,8 @@ Item = Message | OfHand | ImageInSlot | SlotsOpened | PackedState
 
 @dataclass(frozen=True)
 class Begin:
-    """``companion`` wraps the recorder there: it adds the truth of a simulation."""
+    """``companion`` wraps the recorder in its process, for example to add the truth of a
+    simulation."""
 
     path: Path
     info: SessionInfo
@@ -64,10 +65,11 @@ class Begun(NamedTuple):
 
 
 class Failed(NamedTuple):
-    """Nothing more is written; the error is what a recorder in the same process would raise."""
+    """Writing has failed and ended, with the error that a recorder in the same process would
+    raise."""
 
     error: GlovetrackError
 
 
 class Ended(NamedTuple):
-    """The file is closed, and whole unless something failed before."""
+    """The file is closed, and whole unless `Failed` was sent before."""

@@ -25,7 +25,7 @@ class CdrError(ValueError):
 
 
 class CdrWriter:
-    """Builds one little-endian message."""
+    """Writes one little-endian message."""
 
     def __init__(self) -> None:
         self._body = bytearray()
@@ -99,7 +99,7 @@ class CdrWriter:
 
 
 class CdrReader:
-    """Takes one message apart. Raises CdrError where the bytes end early."""
+    """Reads the values of one message. Raises CdrError if the bytes end early."""
 
     def __init__(self, data: bytes) -> None:
         if len(data) < 4 or data[0] != 0 or data[1] not in (0, 1):

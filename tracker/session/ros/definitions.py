@@ -76,7 +76,8 @@ def _text(name: str) -> str:
 
 
 def _used(name: str) -> Iterator[str]:
-    """Types of the fields of ``name`` that are messages themselves, each before its own."""
+    """Types of the fields of ``name`` that are messages, each before the types of its own
+    fields."""
     for inner in re.findall(r"\w+/\w+", _FIELDS[name]):
         yield inner
         yield from _used(inner)

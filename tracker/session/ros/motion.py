@@ -1,4 +1,4 @@
-"""Motion and diagnostic messages of ROS 2 as bytes, and back; tested against rosbags' bytes.
+"""Encodes and decodes ROS 2 motion and diagnostic messages; tested against the bytes of rosbags.
 
 Stamps are nanoseconds since 1970; quaternions x, y, z, w.
 """
@@ -58,7 +58,7 @@ class JointState(NamedTuple):
 
 
 class Diagnostic(NamedTuple):
-    """``level`` 0 all right, 1 warning, 2 error, 3 stale."""
+    """``level``: 0 OK, 1 warning, 2 error, 3 stale."""
 
     level: int
     name: str

@@ -1,4 +1,4 @@
-"""Sensor messages of ROS 2 as bytes, and back. Each pair is tested against rosbags' bytes.
+"""Encodes and decodes ROS 2 sensor messages; tested against the bytes of rosbags.
 
 Stamps are nanoseconds since 1970.
 """
@@ -27,7 +27,7 @@ _UNKNOWN_POSE = np.r_[0.0, 0, 0, 0, 0, 0, 1, np.zeros(36)]
 
 
 class ImuMessage(NamedTuple):
-    """Variances are those of each axis, 0 where they are not known."""
+    """Variances are those of each axis, 0 if unknown."""
 
     stamp: int
     frame: str

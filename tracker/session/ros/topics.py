@@ -26,12 +26,12 @@ def temperatures(side: str) -> str:
 
 
 def wrist_pose(side: str) -> str:
-    """Pose of a tracker on the hand, which another system measured, as other programs read it."""
+    """Pose of a tracker on the hand, measured by another system, for other programs."""
     return f"/room/{side}/pose"
 
 
 def wrist_exact(side: str) -> str:
-    """The same to the last bit, and where on the hand the tracker is: numbers."""
+    """The exact pose and the tracker's mounting on the hand, as numbers."""
     return f"/room/{side}/tracker"
 
 
@@ -48,7 +48,7 @@ def blobs(camera: str) -> str:
 
 
 def cloth(camera: str) -> str:
-    """The glove's own colours around the blobs, before these; where colours know them."""
+    """The glove's own colours around the blobs, before these; if the colour profile has them."""
     return f"/camera/{camera}/cloth"
 
 
@@ -62,17 +62,17 @@ def hand(side: str, what: str) -> str:
 
 
 def description(side: str, alone: bool) -> str:
-    """The URDF of a hand: where ROS looks for it, if it is ``alone`` in its session."""
+    """The URDF of a hand: on ROS's usual topic if it is ``alone`` in its session."""
     return "/robot_description" if alone else hand(side, "robot_description")
 
 
 def truth(side: str, what: str) -> str:
-    """keypoints or joint_states as they really were."""
+    """True keypoints or joint_states."""
     return f"/truth/{side}/{what}"
 
 
 def reference(side: str, what: str) -> str:
-    """keypoints or joint_states as a laboratory measured them, see extensions/reference."""
+    """keypoints or joint_states measured by a laboratory, see extensions/reference."""
     return f"/reference/{side}/{what}"
 
 
@@ -88,7 +88,7 @@ def robot(name: str, what: str) -> str:
 
 
 def robot_of(topic: str) -> tuple[str, str]:
-    """Name and what of a robot's topic; both empty for another's."""
+    """The robot's name and the kind of its topic; both empty for other topics."""
     root, _, rest = topic.removeprefix("/").partition("/")
     name, _, what = rest.partition("/")
     return (name, what) if root == "robot" and what in ROBOT else ("", "")

@@ -79,7 +79,7 @@ class Desk:
     # ---- light on the desk's top
 
     @cached_property
-    def _fallen(self) -> tuple[Texture, Texture]:
+    def _irradiance(self) -> tuple[Texture, Texture]:
         """(h, w) and (h, w, 3) at 4 texels: the lamp's share and the remaining light on the desk's
         top in the shadows of the objects."""
         step = 4 * TEXEL
@@ -137,7 +137,7 @@ class Desk:
         quarter = (at[0] + 0.5) / 4 - 0.5, (at[1] + 0.5) / 4 - 0.5
         main, sky = (
             cv2.remap(s, *quarter, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
-            for s in self._fallen
+            for s in self._irradiance
         )
         off = (points[..., 0] > LAST) | (np.abs(points[..., 1]) > HALF) | (points[..., 0] < FIRST)
         surface[off] = FLOOR
@@ -159,7 +159,7 @@ class Desk:
             return
         lamp, rest, depth = (image[window] for image in images)
         d = rays[window]
-        t, normal, colour = _entered(item, d, eye)
+        t, normal, colour = _intersected(item, d, eye)
         nearer = t < depth
         if not nearer.any():
             return
@@ -205,7 +205,7 @@ def _window(item: Item, rays: Array, eye: Array) -> tuple[slice, slice] | None:
     return slice(first, last), slice(left, right)
 
 
-def _entered(item: Item, rays: Array, eye: Array) -> tuple[Array, Array, Array]:
+def _intersected(item: Item, rays: Array, eye: Array) -> tuple[Array, Array, Array]:
     """Intersections of rays (h, w, 3) with the object: ray parameter (h, w), inf where they miss;
     normal and colour (h, w, 3)."""
     if item.kind == "box":
@@ -218,11 +218,11 @@ def _entered(item: Item, rays: Array, eye: Array) -> tuple[Array, Array, Array]:
     t = np.where(h >= 0, (-b - np.sqrt(np.maximum(h, 0))) / a, np.inf)
     normal = (o + np.where(np.isfinite(t), t, 0)[..., None] * rays) / item.half[0]
     if item.kind == "can":
-        normal, t = _lidded(item, rays, o, t, normal)
+        normal, t = _can(item, rays, o, t, normal)
     return t, normal, np.broadcast_to(item.colour, rays.shape)
 
 
-def _lidded(item: Item, rays: Array, o: Array, t: Array, normal: Array) -> tuple[Array, Array]:
+def _can(item: Item, rays: Array, o: Array, t: Array, normal: Array) -> tuple[Array, Array]:
     """A can's lateral surface between its ends, and its upper end."""
     z = o[2] + np.where(np.isfinite(t), t, 0) * rays[..., 2]
     t = np.where(np.abs(z) <= item.half[2], t, np.inf)

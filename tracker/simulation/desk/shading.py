@@ -115,8 +115,8 @@ def shade_knit(
                 share = FELT if m >= 0 else 1.0
             bright = (1.0 + share * (grain - 1.0)) / (1.0 + vignetting * (sx * sx + sy * sy))
             main = bright * reach2 * lit_share(q, origin, axes, height)
-            main *= _fallen(q, n, place, soft)
-            second = bright * second_reach2 * _fallen(q, n, second_place, 0.0)
+            main *= _irradiance(q, n, place, soft)
+            second = bright * second_reach2 * _irradiance(q, n, second_place, 0.0)
             sky = bright * (0.6 + 0.4 * (n[0] * up[0] + n[1] * up[1] + n[2] * up[2]))
             blue = main * main_bgr[0] + second * second_bgr[0] + sky * sky_bgr[0]
             green = main * main_bgr[1] + second * second_bgr[1] + sky * sky_bgr[1]
@@ -153,7 +153,7 @@ def _box_normal(q: Vector3, R: Stack, centre: Matrix, half: Matrix, i: int) -> V
 
 
 @kernel(fastmath=True, inline="always")
-def _fallen(q: Vector3, n: Vector3, place: Vector, soft: float) -> float:
+def _irradiance(q: Vector3, n: Vector3, place: Vector, soft: float) -> float:
     """Irradiance by a lamp of a surface with normal n at the point q."""
     d0, d1, d2 = place[0] - q[0], place[1] - q[1], place[2] - q[2]
     r2 = d0 * d0 + d1 * d1 + d2 * d2

@@ -26,7 +26,7 @@ class BvhJoint:
 def joint_positions(text: str) -> tuple[list[BvhJoint], Array, Array]:
     """Joints, parents first; times (N,) s; positions (N, joints, 3) in the file's unit.
 
-    An end site is named ``<parent>.end``. Raises ValueError or IndexError for another text.
+    An end site is named ``<parent>.end``. Raises ValueError or IndexError if the text is not BVH.
     """
     joints, motion = _hierarchy(text)
     t, values = _motion(motion)

@@ -1,17 +1,18 @@
 #!/usr/bin/env python3
-"""How long a new user waits: each way to get the program, on a fresh Debian, by the clock.
+"""Measures how long a new user waits: every method to install the program, on a fresh Debian.
 
-    packaging/clocks.py [--work FOLDER] [--dist FOLDER] [clone] [wheel] [deb] [folder]
+    packaging/first_use_times.py [--work FOLDER] [--dist FOLDER] [clone] [wheel] [deb] [folder]
 
-Needs root, debootstrap, bubblewrap, Xvfb and xdotool. A fresh machine is a minimal Debian 12 of
-debootstrap's with what its row says beside it, seen through an overlay, so that each way begins on
-a clean one; it shares the network with this machine, nothing else. What registries hold lies at
-hand in FOLDER after the first run (Debian's packages as apt's archives, Python's as wheels), so
-that no line to a registry is measured. ``dist`` has what ``make package`` and ``make wheel`` leave.
+Needs root, debootstrap, bubblewrap, Xvfb and xdotool. A fresh machine is a minimal Debian 12 made
+by debootstrap, plus the packages named in its row. It is an overlay, so that each method begins
+with a clean one, and shares only the network with this machine. After the first run, FOLDER
+contains the downloads (Debian's packages as apt's archives, Python's as wheels), so that the speed
+of the network is not measured. ``dist`` contains the results of ``make package`` and ``make
+wheel``.
 
-A window is there when the X server shows it; a hand is tracked when the first estimate that
-measured the index finger arrives by UDP. Beside each clock stand the seconds of processor that
-it took, of all processes on the fresh machine, and this machine's load when it began.
+The time of the window ends when the X server shows it, that of tracking when the first estimate
+with a measured index finger arrives by UDP. Next to each time are the CPU seconds of all processes
+on the fresh machine and this machine's load at the start.
 """
 
 from __future__ import annotations
@@ -41,26 +42,26 @@ SCREEN = [
     "libxcb-cursor0", "libxcb-icccm4", "libxcb-image0", "libxcb-keysyms1", "libxcb-randr0",
     "libxcb-render-util0", "libxcb-shape0", "libxcb-xkb1", "libxkbcommon0", "libxkbcommon-x11-0",
 ]  # fmt: skip
-"""What a Debian with a desktop has; a minimal one that has a screen lacks it."""
-BESIDE = {
+"""Packages of a Debian with a desktop that a minimal one with an X server lacks."""
+PREREQUISITES = {
     "clone": ["git", "make", "g++", "python3-dev", "python3-venv", *SCREEN],
     "clone-without-compiler": ["git", "make", "python3-venv", *SCREEN],
     "wheel": ["python3-venv", *SCREEN],
     "deb": [],
     "folder": DRIVERS,
 }
-"""Debian's packages that a fresh machine of each way has already."""
+"""Debian packages that are already installed on a fresh machine, for each method."""
 
 
 class Machine(NamedTuple):
-    """A fresh root, and what of this machine is bound into it."""
+    """A fresh root directory, and the paths of this machine that are bound into it."""
 
     root: Path
     work: Path
     display: str
 
     def start(self, line: str, user: str = "root") -> subprocess.Popen[str]:
-        """Run a shell's line there, in a process group of its own."""
+        """Start a shell command in it, in its own process group."""
         bound = {
             "/source": self.work / "source",
             "/dist": self.work / "dist",
@@ -68,8 +69,8 @@ class Machine(NamedTuple):
         }
         words = ["bwrap", "--bind", str(self.root), "/", "--dev", "/dev", "--proc", "/proc"]
         words += ["--bind", str(self.work / "archives"), "/var/cache/apt/archives"]
-        for there, here in bound.items():
-            words += ["--ro-bind", str(here), there]
+        for inside, outside in bound.items():
+            words += ["--ro-bind", str(outside), inside]
         words += ["--unshare-pid", "--die-with-parent", "--clearenv", "--chdir", "/root"]
         environment = {
             "HOME": "/root", "PATH": "/usr/local/bin:/usr/bin:/bin:/usr/sbin:/sbin",
@@ -91,32 +92,33 @@ class Machine(NamedTuple):
         )
 
     def run(self, line: str) -> None:
-        """Raises SystemExit where the line fails."""
+        """Run a shell command; raises SystemExit if it fails."""
         if self.start(line).wait(PATIENCE):
             raise SystemExit(f"failed: {line} (see {self.work}/log.txt)")
 
 
-class Clock:
-    """Seconds by the wall and of processor since it was made, of a process and all it started."""
+class Stopwatch:
+    """Wall-clock and CPU seconds of a process and its descendants since this was created."""
 
     def __init__(self, process: subprocess.Popen[str]) -> None:
         self._began, self._process = time.monotonic(), process
         self._most: dict[int, float] = {}
-        self._looked = 0.0
+        self._updated = 0.0
         self.load = os.getloadavg()[0]
 
     def read(self) -> tuple[float, float]:
-        self.look(0.0)
+        self.update(0.0)
         return time.monotonic() - self._began, sum(self._most.values())
 
-    def look(self, pause: float = 0.1) -> None:
-        """Processes are gone when they are waited for, so each one's own time is kept.
+    def update(self, pause: float = 0.1) -> None:
+        """Update the CPU times.
 
-        Not more often than every ``pause`` s: to look takes its own share of a core.
+        A process that was waited for disappears, so each one's last time is stored. At most once
+        every ``pause`` s, because this itself uses CPU time.
         """
-        if time.monotonic() < self._looked + pause:
+        if time.monotonic() < self._updated + pause:
             return
-        self._looked = time.monotonic()
+        self._updated = time.monotonic()
         family = {self._process.pid}
         for pid, (parent, used) in sorted(_processes().items()):
             if parent in family or pid in family:
@@ -125,53 +127,52 @@ class Clock:
 
 
 def _processes() -> dict[int, tuple[int, float]]:
-    """The parent of each process, and its own seconds of processor."""
+    """The parent of each process, and its own CPU seconds."""
     found = {}
     for path in Path("/proc").glob("[0-9]*/stat"):
         try:
             fields = path.read_text().rpartition(")")[2].split()
-        except OSError:  # it has ended meanwhile
+        except OSError:  # it has ended
             continue
         found[int(path.parent.name)] = (int(fields[1]), (int(fields[11]) + int(fields[12])) / TICKS)
     return found
 
 
 class Row(NamedTuple):
-    way: str
+    method: str
     what: str
     seconds: float
     cpu: float
     load: float
 
     def line(self) -> str:
-        return (
-            f"| {self.way} | {self.what} | {self.seconds:.2f} | {self.cpu:.2f} | {self.load:.1f} |"
-        )
+        figures = f"{self.seconds:.2f} | {self.cpu:.2f} | {self.load:.1f}"
+        return f"| {self.method} | {self.what} | {figures} |"
 
 
 class Rows:
-    """The table, printed as it grows."""
+    """The table of results; each row is printed when it is added."""
 
-    def __init__(self, way: str) -> None:
-        self.way = way
+    def __init__(self, method: str) -> None:
+        self.method = method
 
-    def add(self, what: str, clock: Clock) -> None:
-        print(Row(self.way, what, *clock.read(), clock.load).line(), flush=True)
+    def add(self, what: str, clock: Stopwatch) -> None:
+        print(Row(self.method, what, *clock.read(), clock.load).line(), flush=True)
 
 
-def timed(machine: Machine, rows: Rows, what: str, line: str) -> None:
-    """How long a line takes to its end."""
+def time_command(machine: Machine, rows: Rows, what: str, line: str) -> None:
+    """Measures how long a command takes."""
     process = machine.start(line)
-    clock = Clock(process)
+    clock = Stopwatch(process)
     while process.poll() is None:
-        clock.look()
+        clock.update()
         time.sleep(0.005)
     if process.returncode:
         raise SystemExit(f"failed: {line} (see {machine.work}/log.txt)")
     rows.add(what, clock)
 
 
-def watched(
+def time_window(
     machine: Machine,
     rows: Rows,
     line: str,
@@ -180,106 +181,106 @@ def watched(
     hand: bool,
     then: Callable[[], bool] = lambda: True,
 ) -> None:
-    """How long until the window is there and, of a demo, until a hand is tracked.
+    """Measures the time until the window is shown and, in a demo, until a hand is tracked.
 
-    It is closed once ``then`` is true.
+    The program is ended once ``then`` is true.
     """
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as ear:
-        ear.bind(("127.0.0.1", UDP_PORT))
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as receiver:
+        receiver.bind(("127.0.0.1", UDP_PORT))
         search = ["xdotool", "search", "--onlyvisible", "--name", "Glovetrack"]
-        there = {"stdout": subprocess.DEVNULL, "env": {"DISPLAY": machine.display}}
-        while subprocess.run(search, check=False, **there).returncode == 0:
-            time.sleep(0.05)  # the one before has not gone yet
-        seen = subprocess.Popen([*search[:2], "--sync", *search[2:]], **there)
+        options = {"stdout": subprocess.DEVNULL, "env": {"DISPLAY": machine.display}}
+        while subprocess.run(search, check=False, **options).returncode == 0:
+            time.sleep(0.05)  # the previous one has not closed yet
+        seen = subprocess.Popen([*search[:2], "--sync", *search[2:]], **options)
         process = machine.start(line)
-        clock = Clock(process)
+        clock = Stopwatch(process)
         until(lambda: seen.poll() is not None, process, clock)
         rows.add(f"{what}: the window", clock)
         if hand:
-            until(lambda: tracked(ear), process, clock)
+            until(lambda: hand_is_tracked(receiver), process, clock)
             rows.add(f"{what}: a tracked hand", clock)
         until(then, process, clock)
-    os.killpg(process.pid, signal.SIGKILL)  # bubblewrap takes all of its processes along
+    os.killpg(process.pid, signal.SIGKILL)  # bubblewrap ends all of its processes
     process.wait(60)
 
 
-def until(done: Callable[[], bool], process: subprocess.Popen[str], clock: Clock) -> None:
+def until(done: Callable[[], bool], process: subprocess.Popen[str], clock: Stopwatch) -> None:
     end = time.monotonic() + PATIENCE
     while not done():
         if process.poll() is not None or time.monotonic() > end:
-            raise SystemExit("It ended before anything was to be seen.")
-        clock.look()
+            raise SystemExit("The program ended before its window was shown.")
+        clock.update()
         time.sleep(0.005)
 
 
-def tracked(ear: socket.socket) -> bool:
-    """Whether an estimate has come that measured a finger, as far as it has sensors."""
-    while select.select([ear], [], [], 0)[0]:
-        said = json.loads(ear.recv(65536))
-        if said["keypoints"]["index_dip"]["state"] == "measured":
+def hand_is_tracked(receiver: socket.socket) -> bool:
+    """Whether an estimate with a measured finger has arrived."""
+    while select.select([receiver], [], [], 0)[0]:
+        output = json.loads(receiver.recv(65536))
+        if output["keypoints"]["index_dip"]["state"] == "measured":
             return True
     return False
 
 
-def starts(machine: Machine, rows: Rows, program: str) -> None:
-    """What every way has in common once the program is there."""
-    watched(machine, rows, f"{program} demo", "first demo", hand=True)
-    watched(machine, rows, f"{program} demo", "second demo", hand=True)
+def time_starts(machine: Machine, rows: Rows, program: str) -> None:
+    """The measurements that every method has in common once the program is installed."""
+    time_window(machine, rows, f"{program} demo", "first demo", hand=True)
+    time_window(machine, rows, f"{program} demo", "second demo", hand=True)
     begin(machine, rows, program)
 
 
 def begin(machine: Machine, rows: Rows, program: str) -> None:
     for _ in range(3):
-        timed(machine, rows, "--help", f"{program} --help >/dev/null")
+        time_command(machine, rows, "--help", f"{program} --help >/dev/null")
     for _ in range(3):
-        watched(machine, rows, program, "start", hand=False)
+        time_window(machine, rows, program, "start", hand=False)
 
 
 def clone(machine: Machine, rows: Rows) -> None:
-    timed(machine, rows, "git clone", "git clone -q /source glovetrack")
+    time_command(machine, rows, "git clone", "git clone -q /source glovetrack")
     demo = "cd glovetrack && make demo"
     kernels = machine.root / "root/glovetrack/tracker/kernels"
 
-    def all_compiled() -> bool:  # those that the demo does without too
+    def all_compiled() -> bool:  # including those that the demo does not need
         return (kernels / "_compiled_tracker_fusion_vist.txt").exists()
 
-    watched(machine, rows, demo, "make demo, first", hand=True, then=all_compiled)
-    watched(machine, rows, demo, "make demo, second", hand=True)
+    time_window(machine, rows, demo, "make demo, first", hand=True, then=all_compiled)
+    time_window(machine, rows, demo, "make demo, second", hand=True)
     begin(machine, rows, "glovetrack/.venv/bin/glovetrack")
     size(machine, rows, "glovetrack/.venv")
 
 
 def wheel(machine: Machine, rows: Rows) -> None:
     install = "python3 -m venv venv && venv/bin/pip install -q /dist/glovetrack-*-cp311-*.whl"
-    timed(machine, rows, "pip install", install)
-    starts(machine, rows, "venv/bin/glovetrack")
+    time_command(machine, rows, "pip install", install)
+    time_starts(machine, rows, "venv/bin/glovetrack")
     size(machine, rows, "venv")
 
 
 def deb(machine: Machine, rows: Rows) -> None:
-    timed(machine, rows, "apt-get install", "apt-get install -qq -y /dist/glovetrack_*.deb")
-    starts(machine, rows, "glovetrack")
+    time_command(machine, rows, "apt-get install", "apt-get install -qq -y /dist/glovetrack_*.deb")
+    time_starts(machine, rows, "glovetrack")
     size(machine, rows, "../opt/glovetrack")
 
 
 def folder(machine: Machine, rows: Rows) -> None:
-    timed(machine, rows, "tar", "tar xf /dist/glovetrack_*.tar.gz")
-    starts(machine, rows, "glovetrack/glovetrack")
+    time_command(machine, rows, "tar", "tar xf /dist/glovetrack_*.tar.gz")
+    time_starts(machine, rows, "glovetrack/glovetrack")
     size(machine, rows, "glovetrack")
 
 
 def size(machine: Machine, rows: Rows, path: str) -> None:
-    said = subprocess.check_output(["du", "-sm", str(machine.root / "root" / path)], text=True)
-    print(f"{rows.way}: {said.split()[0]} MB", flush=True)
+    output = subprocess.check_output(["du", "-sm", str(machine.root / "root" / path)], text=True)
+    print(f"{rows.method}: {output.split()[0]} MB", flush=True)
 
 
-WAYS = {
+METHODS = {
     "clone": clone, "clone-without-compiler": clone, "wheel": wheel, "deb": deb, "folder": folder,
 }  # fmt: skip
 
 
 def base(work: Path) -> Path:
-    """A minimal Debian, made once; and what the ways install, once at hand."""
+    """Create a minimal Debian, once, and download what the methods install."""
     root = work / "base"
     if not (root / ".ready").exists():
         shutil.rmtree(root, ignore_errors=True)
@@ -290,24 +291,24 @@ def base(work: Path) -> Path:
 
 
 def wheels(work: Path) -> None:
-    """The wheels of the lock, and what installs them."""
-    there = work / "wheels"
-    if not there.exists():
-        words = [sys.executable, "-m", "pip", "download", "-q", "--dest", str(there)]
+    """The wheels of the lock file, and the tool that installs them."""
+    folder = work / "wheels"
+    if not folder.exists():
+        words = [sys.executable, "-m", "pip", "download", "-q", "--dest", str(folder)]
         lock = str(ROOT / "requirements.lock")
         for wanted in (["--require-hashes", "-r", lock], ["uv", "pip"]):  # these two have no hashes
             subprocess.run([*words, *wanted], check=True)
 
 
 def source(work: Path) -> None:
-    """What is cloned: the commit that is checked out here."""
+    """The repository to clone: the commit that is checked out here."""
     shutil.rmtree(work / "source", ignore_errors=True)
     subprocess.run(["git", "clone", "-q", "--bare", str(ROOT), str(work / "source")], check=True)
 
 
 @contextmanager
 def overlay(place: Path, lower: list[Path], upper: Path) -> Iterator[Path]:
-    """Roots one above the other; what is written there lands in ``upper``."""
+    """Roots layered one above the other; changes are written to ``upper``."""
     shutil.rmtree(place, ignore_errors=True)
     for folder in (place / "root", place / "inner", upper):
         folder.mkdir(parents=True, exist_ok=True)
@@ -320,10 +321,10 @@ def overlay(place: Path, lower: list[Path], upper: Path) -> Iterator[Path]:
         subprocess.run(["umount", "--lazy", str(root)], check=False)
 
 
-def prepared(work: Path, way: str) -> Path:
-    """What stands beside a way, installed once: a layer above the minimal Debian."""
-    layer, ready = work / "ready" / way, work / "ready" / f"{way}.done"
-    packages = f"--no-install-recommends ca-certificates {' '.join(BESIDE[way])}"
+def prepared(work: Path, method: str) -> Path:
+    """The prerequisites of a method, installed once: a layer above the minimal Debian."""
+    layer, ready = work / "ready" / method, work / "ready" / f"{method}.done"
+    packages = f"--no-install-recommends ca-certificates {' '.join(PREREQUISITES[method])}"
     if ready.exists() and ready.read_text() == packages:
         return layer
     shutil.rmtree(layer, ignore_errors=True)
@@ -343,16 +344,16 @@ def prepared(work: Path, way: str) -> Path:
 
 
 @contextmanager
-def fresh(work: Path, way: str, display: str) -> Iterator[Machine]:
-    """A clean machine with what stands beside its way, gone afterwards."""
-    lower = [prepared(work, way), base(work)]
+def fresh(work: Path, method: str, display: str) -> Iterator[Machine]:
+    """A clean machine with the prerequisites of its method, deleted afterwards."""
+    lower = [prepared(work, method), base(work)]
     with overlay(work / "now", lower, work / "now" / "upper") as root:
         yield Machine(root, work, display)
 
 
 @contextmanager
 def screen() -> Iterator[str]:
-    """An X server at a number that is free."""
+    """Starts an X server with a free display number."""
     words = [
         "Xvfb",
         "-displayfd",
@@ -375,8 +376,10 @@ def screen() -> Iterator[str]:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("ways", nargs="*", metavar="WAY", help=f"of {', '.join(WAYS)}; all")
-    parser.add_argument("--work", type=Path, default=ROOT / "build" / "clocks")
+    parser.add_argument(
+        "methods", nargs="*", metavar="METHOD", help=f"of {', '.join(METHODS)}; all"
+    )
+    parser.add_argument("--work", type=Path, default=ROOT / "build" / "first_use")
     parser.add_argument("--dist", type=Path, default=ROOT / "dist")
     args = parser.parse_args()
     work = args.work.resolve()
@@ -386,14 +389,14 @@ def main() -> None:
     base(work)
     wheels(work)
     source(work)
-    for way in args.ways or WAYS:
-        prepared(work, way)
+    for method in args.methods or METHODS:
+        prepared(work, method)
     print(f"{os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}")
-    print("| way | step | clock s | CPU s | load |\n|---|---|---|---|---|")
+    print("| method | step | clock s | CPU s | load |\n|---|---|---|---|---|")
     with screen() as display:
-        for way in args.ways or WAYS:
-            with fresh(work, way, display) as machine:
-                WAYS[way](machine, Rows(way))
+        for method in args.methods or METHODS:
+            with fresh(work, method, display) as machine:
+                METHODS[method](machine, Rows(method))
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Sessions at a glance: those in a folder, their content, quality and preview."""
+"""Overview of the sessions in a folder: their content, quality and preview."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ from tracker.session.message_check import sound
 from tracker.session.reader import SessionReader
 from tracker.session.ros import motion, sensors, topics
 
-PLACELESS = "inertial"  # the engine that does not track the position
-OF_ALL_NS = 1_500_000_000  # within which each hand reports its status, once a second
+WITHOUT_POSITION = "inertial"  # the engine that does not track positions
+STATUS_WINDOW_NS = 1_500_000_000  # longer than the interval between two statuses of a hand (1 s)
 
 
 def sessions_in(sources: Sequence[Path], leave_out: Path | None = None) -> list[tuple[Path, Path]]:
@@ -82,7 +82,7 @@ def _integrity(reader: SessionReader) -> str:
 
 
 def _counts(reader: SessionReader) -> dict[int, int]:
-    """Messages by channel id; counted one by one where the file has no summary."""
+    """Messages by channel id; counted one by one if the file has no summary."""
     contents = reader.source.contents
     if contents.counts is not None:
         return contents.counts
@@ -99,7 +99,8 @@ def _counts(reader: SessionReader) -> dict[int, int]:
 
 
 class HandShare(NamedTuple):
-    """``tracked``: share of the time in which this hand was tracked; None: not at all yet."""
+    """``tracked``: share of the time in which this hand was tracked; None if the session was not
+    tracked."""
 
     side: str
     tracked: float | None
@@ -109,7 +110,7 @@ class HandShare(NamedTuple):
 class Quality:
     """``tracked`` as in `HandShare`, in a session of both ``hands`` the smaller one.
     ``packets_lost``: of this session, by all gloves; None if no status contains it. ``by_imus``:
-    the position of the hand is not tracked, without a camera or by choice, so that ``tracked`` has
+    the hand's position is not tracked, for lack of a camera or by choice, so that ``tracked`` has
     no meaning.
     """
 
@@ -124,13 +125,14 @@ def quality(reader: SessionReader) -> Quality:
     hands = tuple(HandShare(h.side, _tracked(reader, h.side)) for h in reader.info.hands)
     known = any(hand.tracked is not None for hand in hands)
     least = min(hand.tracked or 0.0 for hand in hands) if known else None
-    is_placeless = reader.metadata.get("engine") == PLACELESS
+    is_placeless = reader.metadata.get("engine") == WITHOUT_POSITION
     both = hands if len(hands) > 1 else ()
     return Quality(least, _packets_lost(reader), is_placeless, both)
 
 
 def _tracked(reader: SessionReader, side: str) -> float | None:
-    """Returns the share of the session's time; before the first state nothing was tracked."""
+    """Returns the tracked share of the session's time; before the first state nothing was
+    tracked."""
     states = topics.hand(side, "states")  # at each change; a status is once a second
     topic = states if states in reader.topic_names else topics.STATUS
     changes = [
@@ -150,16 +152,17 @@ def _tracked(reader: SessionReader, side: str) -> float | None:
 
 
 def _packets_lost(reader: SessionReader) -> int | None:
-    """From the first status to the last: older recordings counted from the engine's start on."""
+    """Lost packets from the first status to the last, because older recordings counted from the
+    start of the engine."""
     status = frozenset([topics.STATUS])
     first = next(ordered(reader.source, status), None)
     last = last_before(reader.source, topics.STATUS, reader.span_ns[1] + 1)
     if first is None or last is None:
         return None
     left_out = reader.source.left_out
-    early = sound(ordered(reader.source, status, end=first.log_time + OF_ALL_NS), left_out)
+    early = sound(ordered(reader.source, status, end=first.log_time + STATUS_WINDOW_NS), left_out)
     before = dict(reversed(list(_lost_by_glove(early))))
-    late = sound(ordered(reader.source, status, last.log_time - OF_ALL_NS), left_out)
+    late = sound(ordered(reader.source, status, last.log_time - STATUS_WINDOW_NS), left_out)
     after = dict(_lost_by_glove(late))
     if not before and not after:
         return None
@@ -167,7 +170,7 @@ def _packets_lost(reader: SessionReader) -> int | None:
 
 
 def _lost_by_glove(statuses: Iterable[RawMessage]) -> Iterator[tuple[str, float]]:
-    """Yields the name of each status of a hand, and the number of packets lost until then."""
+    """Yields the name of each of a hand's statuses and the number of packets lost until then."""
     for raw in statuses:
         for status in motion.unpack_diagnostics(raw.data)[1]:
             if "imu_lost" in status.values:
