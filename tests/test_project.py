@@ -297,7 +297,7 @@ def reads_clocks(names: set[str]) -> bool:
 
 
 @pytest.mark.parametrize(("does", "known"), [(starts_threads, THREADS), (reads_clocks, CLOCKS)])
-def test_threads_and_clocks_are_where_they_are_said_to_be(
+def test_only_listed_modules_use_threads_and_clocks(
     does: Callable[[set[str]], bool], known: dict[str, str]
 ) -> None:
     folders = [ROOT / name for name in ("app", "extensions", "glovetrack", "tracker")]
@@ -306,7 +306,7 @@ def test_threads_and_clocks_are_where_they_are_said_to_be(
     assert found == set(known)
 
 
-def test_no_file_knows_the_machine_it_was_written_on() -> None:
+def test_no_file_contains_paths_of_its_authors_machine() -> None:
     homes = rb"/root|/home/\w+|/Users/\w+|" + re.escape(str(ROOT)).encode()
     somewhere = re.compile(rb"(?<![\w.}])(" + homes + rb")/")
     guilty = [

@@ -67,7 +67,7 @@ def test_without_rights_the_command_to_run_is_printed_and_the_check_fails(machin
     assert not machine.asked.exists()
 
 
-def test_without_what_only_a_window_needs_work_goes_on(machine: Machine) -> None:
+def test_commands_work_without_the_windows_libraries(machine: Machine) -> None:
     done = machine.run(ESSENTIAL, 1000)
     assert done.returncode == 0
     assert "libxcb-cursor0" in done.stderr

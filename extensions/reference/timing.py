@@ -19,7 +19,7 @@ from scipy.signal import butter, sosfiltfilt
 from tracker.base.errors import FileError
 from tracker.base.notices import notice
 from tracker.messages import Array
-from tracker.session.align import OVERLAP, RATE, match_channels
+from tracker.session.align import MIN_OVERLAP, RATE, match_channels
 from tracker.session.holes import LONGEST_FILLED
 
 WAYS = ("movement", "clock", "pulse")
@@ -193,7 +193,7 @@ class _Speeds:
 def _coarse(ours: _Speeds, theirs: _Speeds) -> float:
     """The offset to about a sample. Raises FileError if no offset, or more than one, fits."""
     a, b = (v.at(v.start + np.arange(0, len(v.values) / _RATE, 1 / RATE)) for v in (ours, theirs))
-    common = max(OVERLAP, _COMMON * min(len(a), len(b)) / RATE)
+    common = max(MIN_OVERLAP, _COMMON * min(len(a), len(b)) / RATE)
     return match_channels(a, b, ours.start - theirs.start, common).offset
 
 

@@ -102,7 +102,7 @@ def test_an_impossible_board_is_rejected(change, words):
 
 
 @pytest.mark.parametrize("kind", ["charuco", "chessboard"])
-def test_the_printed_page_has_its_corners_where_the_board_says(kind):
+def test_corners_of_the_printed_page_match_the_board(kind):
     """Viewed head-on, the page is the board at its scale, shifted by the margin."""
     spec = replace(SPEC, kind=kind)
     page, per_metre = print_image(spec, dpi=110)

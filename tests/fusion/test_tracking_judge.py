@@ -67,7 +67,7 @@ def test_a_hand_that_images_do_not_show_for_long_is_forgotten(judge: TrackingJud
     assert not judge.should_start(2 * STRANGE_FOR + 2 * APART)  # nor found again in that instant
 
 
-def test_two_places_tell_how_fast_the_hand_moves(judge: TrackingJudge) -> None:
+def test_speed_is_computed_from_two_positions(judge: TrackingJudge) -> None:
     assert judge.found(5.0, np.array([0.1, 0.2, 0.3])) is None
     v = judge.found(5.0 + APART, np.array([0.1, 0.25, 0.3]))
     assert v is not None and v == pytest.approx([0.0, 1.5, 0.0])
@@ -124,7 +124,7 @@ def test_a_hand_dragged_along_among_strange_patches_is_another(
     assert recognition.is_followed(image, Recognised(expected, match)) is followed
 
 
-def test_that_another_hand_was_followed_is_said(hand: HandModel, glove: GloveModel) -> None:
+def test_tracking_another_hand_is_reported(hand: HandModel, glove: GloveModel) -> None:
     pipeline = Pipeline(hand, glove, ideal_rig())
     nothing = BlobFrame(0.0, 0.0, (), Blobs.empty(), Blobs.empty())
     given_up = replace(FrameResult.nothing(0.0, Tracking.TRACKING, 37), another=True)

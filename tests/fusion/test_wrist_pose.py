@@ -66,7 +66,7 @@ def seen(estimates: Iterable[Estimate]) -> list[Estimate]:
     return [e for e in estimates if 0.5 < e.t < GONE[0] or GONE[1] + 0.1 < e.t < 6.8]
 
 
-def test_the_wrist_is_where_the_tracker_says(sim: Simulation, estimates: list[Estimate]) -> None:
+def test_the_wrist_follows_the_tracker(sim: Simulation, estimates: list[Estimate]) -> None:
     """The tracker's noise is 1 mm an axis and 0.6°, at a lever of 5 cm; half of the packets are
     carried on for up to 22 ms by the IMU."""
     at, error, turned = sim.hand.keypoint_names.index("wrist"), [], []
@@ -210,7 +210,7 @@ def test_jacobian(layout: ChainLayout, with_rotation: bool) -> None:
     assert len(H) == len(variance) == (6 if with_rotation else 3)
 
 
-def test_a_saved_state_goes_on_identically(sim: Simulation) -> None:
+def test_tracking_continues_identically_from_a_saved_state(sim: Simulation) -> None:
     """Cut while poses arrive, while they are waited for, coasting and lost."""
     messages = list(in_order(sim, poses_with_gap(sim)))
     for cut in (1.5, 2.995, 3.5, 4.5):

@@ -190,7 +190,7 @@ def test_a_poke_is_a_forward_thrust_of_a_pointing_finger(way: str) -> None:
     assert found == expected
 
 
-def test_a_forward_thrust_of_an_open_hand_is_no_poke() -> None:
+def test_a_forward_thrust_of_an_open_hand_is_not_a_poke() -> None:
     keys = [Key(k.t, "open_palm", k.palm) for k in POINTING]
     assert phases(estimates([*keys, Key(1.0, "open_palm", (0.24, 0.0, 0.1))])) == [
         ("open_palm", True)

@@ -184,7 +184,7 @@ def test_each_state_is_drawn_with_a_pattern_of_its_own(skin: HandSkin) -> None:
         np.testing.assert_allclose(looks[own, 6], dots)
 
 
-def test_patches_lie_on_the_skin_and_show_their_state(skin: HandSkin) -> None:
+def test_patches_are_on_the_skin_and_show_their_state(skin: HandSkin) -> None:
     hand, glove, _ = models()
     R, p = pose()
     colours = ["#FF0000"] * len(glove.markers)

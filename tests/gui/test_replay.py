@@ -191,7 +191,7 @@ def in_bursts(estimates: list[Estimate], hole: tuple[float, float] | None) -> li
 
 
 @pytest.mark.parametrize(("hole", "found"), [(None, []), ((0.95, 1.15), [0.95]), ((1.2, 9), [1.2])])
-def test_late_estimates_are_no_hole(estimates, hole, found):
+def test_late_estimates_are_not_a_hole(estimates, hole, found):
     read = in_bursts(estimates, hole)
     ends = [r.message.t for r, before_hole in marked(read) if before_hole]
     assert ends == pytest.approx(found, abs=0.011)
@@ -430,7 +430,7 @@ def test_jumping_from_note_to_note(qtbot):
     assert visited == [2.0, 5.0, 5.3, 8.0, 8.0, 5.3, 2.0, 2.0]  # back, what lies 0.6 s before
 
 
-def test_a_gesture_is_no_note_on_the_timeline_and_no_line_in_the_log(qtbot):
+def test_a_gesture_is_neither_on_the_timeline_nor_in_the_log(qtbot):
     bar = TransportBar()
     qtbot.addWidget(bar)
     player = Held([2.0])

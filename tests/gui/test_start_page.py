@@ -53,7 +53,7 @@ def texts(window) -> list[str]:
     return [recent.item(i).text() for i in range(recent.count())]
 
 
-def test_earlier_sessions_stand_on_the_start_page_and_open_by_a_click(started, sessions, qtbot):
+def test_earlier_sessions_are_on_the_start_page_and_open_by_a_click(started, sessions, qtbot):
     page = started.start_page
     row = next(i for i, text in enumerate(texts(started)) if text.startswith("P01_pinch"))
     item = page.recent.item(row)
@@ -86,7 +86,7 @@ def test_a_first_start_shows_the_three_ways_alone_and_the_library_by_its_button(
 
 
 @pytest.mark.parametrize("width", [650, 700, 830, 1366])
-def test_no_card_lies_over_another(started, qtbot, width):
+def test_cards_do_not_overlap(started, qtbot, width):
     page = started.start_page
     page.setParent(None)
     page.resize(width, 500)
@@ -157,7 +157,7 @@ def test_recent_sessions_come_newest_first_and_the_newest_is_among_them(tmp_path
     assert [r.row.path for r in found.recent] == [newer, older]
 
 
-def test_a_session_that_was_cut_off_says_so_when_it_is_opened(started, sessions, qtbot):
+def test_a_truncated_session_is_reported_when_it_is_opened(started, sessions, qtbot):
     started.sources.open_session(sessions / "P02_fist.mcap")
     qtbot.waitUntil(lambda: "P02_fist.mcap was cut off" in started.banner.text(), timeout=30_000)
     assert started.banner.buttons[0].text() == "Recover"
@@ -190,7 +190,7 @@ CUT_OFF, WHOLE = "P02_fist.mcap", "P01_pinch.mcap"
 
 
 @pytest.mark.parametrize("name", [WHOLE, CUT_OFF])
-def test_a_start_after_a_crash_says_what_became_of_the_recording(
+def test_a_start_after_a_crash_reports_the_recovered_recording(
     sessions, store, qtbot, no_leaks, tmp_path, name, monkeypatch
 ):
     monkeypatch.setattr("app.viewmodels.recent.LOOKS", 1)

@@ -95,7 +95,7 @@ def test_a_report_of_a_session_or_without_a_duration_is_wrong_usage(words, capsy
     assert "--headless-report" in capsys.readouterr().err
 
 
-def test_a_word_that_is_no_stream_is_wrong_usage(capsys):
+def test_an_unknown_stream_is_a_usage_error(capsys):
     with pytest.raises(SystemExit) as ended:
         main(["--demo", "--stream", "ros"])
     assert ended.value.code == 2

@@ -197,7 +197,7 @@ def test_the_share_that_was_tracked_is_that_of_the_time(take, tmp_path):
         assert quality(reader).tracked == pytest.approx(2 / 3, abs=20 / instants)
 
 
-def test_the_silence_of_a_glove_is_said_beside_its_packets():
+def test_time_without_data_is_reported_next_to_lost_packets():
     hand = HandReport("right", tracked=0.8, glove_silent=5.04)
     report = RecordingReport(Path("a.mcap"), "", 20.0, 0, camera_silent=2.0, hands=(hand,))
     assert report_text(report) == (
@@ -243,7 +243,7 @@ def both_taken(tmp_path_factory) -> Path:
     return path
 
 
-def test_a_take_of_both_tells_of_each_hand_and_what_all_gloves_lost(both_taken):
+def test_a_recording_of_both_hands_reports_each_and_all_lost_packets(both_taken):
     report = check_job(both_taken)(lambda *_: None)
     left, right = report.hands
     assert (left.side, right.side) == ("left", "right")
@@ -351,7 +351,7 @@ def button(window, word: str):
     return next(b for b in window.banner.buttons if b.text().startswith(word))
 
 
-def test_after_stop_one_line_says_how_the_recording_is(recorded, take):
+def test_after_stop_one_line_summarises_the_recording(recorded, take):
     with SessionReader(take) as reader:
         tracked = quality(reader).tracked
     text = recorded.banner.text()
@@ -427,9 +427,7 @@ def test_a_recording_that_its_disk_cut_off_is_recovered_from_its_message(
     assert is_ok(verify(whole))
 
 
-def test_a_recording_says_what_it_lacks_while_it_does_and_is_made_all_the_same(
-    qtbot, window, engine
-):
+def test_missing_data_are_reported_during_a_recording_which_continues(qtbot, window, engine):
     """Not while the devices have only just been opened: then nothing has come yet."""
     camera = SimpleNamespace(fps=60.0)
     window.host.adopt(with_camera(scripted_setup(engine), device=camera))

@@ -99,7 +99,7 @@ def _count_samples(progress, path: Path) -> int:
 
 
 @pytest.mark.parametrize("in_subprocess", [True, False])
-def test_a_job_says_which_damaged_messages_it_left_out(tmp_path, qtbot, in_subprocess):
+def test_a_job_reports_the_damaged_messages_that_it_skipped(tmp_path, qtbot, in_subprocess):
     simulate(tmp_path / "s.mcap", SimulateOptions(seed=3, duration=1.0, images=False))
     topic = "/glove/right/packets"
     path = spoilt(tmp_path / "s.mcap", tmp_path / "a.mcap", [topic], cut_message)

@@ -81,7 +81,7 @@ def test_a_translation_has_an_accelerator_and_blanks_where_its_text_has(code):
 
 
 @pytest.mark.parametrize("code", OFFERED)
-def test_the_file_that_the_window_reads_says_what_the_translator_s_says(code):
+def test_the_compiled_translation_matches_its_source(code):
     compiled = Catalogue()
     assert compiled.load(str(place() / f"{CONTEXT}_{code}.qm"))
     listed = catalogue(code)

@@ -41,7 +41,7 @@ def view(qapp):
     host.shut_down()
 
 
-def test_a_ring_stands_round_every_blob_full_where_it_was_matched(view):
+def test_every_blob_has_a_ring_which_is_solid_if_matched(view):
     shapes = overlay(view, Layers(skeleton=False, residuals=False), {}, right=False)
     rings = [s for s in shapes if isinstance(s, Ring)]
     assert len(rings) == len(view.blobs.left)
@@ -114,7 +114,7 @@ def test_a_hand_whose_position_is_lost_stays_where_it_was(view):
     assert "lost" in scene.caption and not seen.caption
 
 
-def test_two_hands_without_a_place_do_not_stand_in_each_other(view):
+def test_two_hands_without_positions_are_drawn_apart(view):
     """Gloves alone: each on its own side, as hands are held."""
     placeless = dataclasses.replace(
         view, estimate=dataclasses.replace(view.estimate, tracking=Tracking.LOST)
@@ -298,7 +298,7 @@ def test_a_low_battery_is_a_warning_by_the_links_own_threshold(millivolt, low):
     assert ("3.50 V" in shown.tip) == low
 
 
-def test_what_is_left_out_of_a_slow_computer_is_said_in_words():
+def test_omitted_work_on_a_slow_computer_is_reported():
     def shown(level: float):
         return fields(Status(0.0, Tracking.TRACKING, {"load_shed": level}))[-1]
 
@@ -347,7 +347,7 @@ def test_orbit_keeps_its_distance_and_looks_at_its_target():
     assert np.cross(orbit.direction, [1.0, 2.0, 0.5]) == pytest.approx(np.zeros(3), abs=1e-12)
 
 
-def test_tracking_is_not_said_while_nothing_arrives():
+def test_tracking_is_not_reported_without_data():
     """The state is that of the last message."""
     silent = {"imu_rate_hz": 0.0, "frame_rate_hz": 0.0}
     shown_look = tracking_look(Status(5.0, Tracking.TRACKING, silent), True)

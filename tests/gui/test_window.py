@@ -87,13 +87,13 @@ def test_the_hand_view_draws_the_hand(live, qtbot):
     assert (pixels(live.hand.view) != before).mean() > 0.005
 
 
-def test_lost_position_is_said_and_shown_differently(live, engine, qtbot):
+def test_a_lost_position_is_reported_and_drawn_differently(live, engine, qtbot):
     engine.tracking = Tracking.LOST
     qtbot.waitUntil(lambda: "lost" in live.bar.tracking.text().lower(), timeout=30_000)
     qtbot.waitUntil(lambda: "lost" in live.hand.view.caption, timeout=30_000)
 
 
-def test_status_bar_tells_rates_and_latency(live, qtbot):
+def test_the_status_bar_shows_rates_and_latency(live, qtbot):
     qtbot.waitUntil(lambda: "100 Hz" in live.bar.chips["imu_rate_hz"].text(), timeout=30_000)
     assert "48 ms" in live.bar.chips["latency"].text()
     live.host.stop()
@@ -174,7 +174,7 @@ def test_checklist_follows_what_arrives(window, qtbot):
     assert window.checklist.summary.text().startswith("0 of")
 
 
-def test_errors_stand_in_the_banner_until_dismissed(window):
+def test_errors_stay_in_the_banner_until_dismissed(window):
     window.host.error.emit("The camera was unplugged.")
     assert window.banner.isVisible()
     window.host.error.emit("The glove was unplugged.")
@@ -183,14 +183,14 @@ def test_errors_stand_in_the_banner_until_dismissed(window):
     assert not window.banner.isVisible()
 
 
-def test_without_devices_the_window_says_what_is_missing(window, qtbot, monkeypatch):
+def test_missing_devices_are_listed_in_the_window(window, qtbot, monkeypatch):
     monkeypatch.setattr("app.engines.found_gloves.serial_ports", list)
     window.sources.open_devices()
     qtbot.waitUntil(lambda: "No glove was found" in window.banner.text(), timeout=60_000)
     assert window.start_page.isVisible()
 
 
-def test_a_calibration_that_is_none_is_refused_and_not_remembered(window, store, tmp_path):
+def test_an_invalid_calibration_is_refused_and_not_stored(window, store, tmp_path):
     (tmp_path / "mine.conf").write_text("[LEFT_CAM_HD]\nfx=700\n")
     window.set_up.set_calibration(tmp_path / "mine.conf")
     assert "mine.conf" in window.banner.text()
@@ -294,7 +294,7 @@ def test_the_latency_of_each_stage_is_a_command(window):
     assert "7.8 ms" in window.bar.chips["latency"].accessibleDescription()
 
 
-def test_where_there_is_no_room_a_field_is_left_out_and_not_cut(window, qtbot):
+def test_without_space_a_field_is_omitted_instead_of_truncated(window, qtbot):
     """Two hands on a computer that leaves out all that it can, with a job running."""
     values = {"imu_rate_hz": 100.0, "frame_rate_hz": 30.0, "estimate_rate_hz": 100.0}
     values |= {"latency_total_ms": 9.0, "latency_total_p99_ms": 30.0, "imu_lost": 0.0}

@@ -64,7 +64,7 @@ def test_lamps_are_recognised_at_their_beat(
 
 
 @pytest.mark.parametrize("rate", [30.0, 60.0])
-def test_bands_that_stand_still_are_not_reported(hand: list[Image], rate: float) -> None:
+def test_static_bands_are_not_reported(hand: list[Image], rate: float) -> None:
     """60 Hz at 30 or 60 images per second: each row has the same light in all images."""
     lamps = FlickerParams(0.3, 60.0)
     gains = [row_gains(180, k / rate, Exposure(SHUTTER, READOUT), lamps) for k in range(9)]

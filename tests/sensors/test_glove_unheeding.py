@@ -42,7 +42,7 @@ def test_an_ignored_rate_is_reported_once_and_times_are_correct(
     assert run.link.figures.skew_ppm == pytest.approx(-1e6 * SKEW, abs=100)
 
 
-def test_losses_at_an_ignored_rate_are_no_clock_jumps() -> None:
+def test_losses_at_an_ignored_rate_are_not_clock_jumps() -> None:
     glove = Scripted(Hello(1, N, rate_hz=50), 50.0)
     run = Run(glove)
     for _ in range(20):

@@ -87,7 +87,7 @@ def moved(rig: StereoRig, k: int) -> CameraPose:
     return CameraPose(rig.pose.R_GC, rig.pose.p_GC + 0.01 * k)
 
 
-def test_a_line_time_that_is_no_number_is_an_error_of_the_file(tmp_path: Path) -> None:
+def test_an_invalid_line_time_is_an_error_of_the_file(tmp_path: Path) -> None:
     path = tmp_path / "bad.mcap"
     output = McapOutput(path)
     output.metadata("camera", {"line_time_ns": "fast"})
@@ -99,7 +99,7 @@ def test_a_line_time_that_is_no_number_is_an_error_of_the_file(tmp_path: Path) -
 
 @pytest.mark.parametrize("engine", ["chain", "vist"])
 @pytest.mark.parametrize("camera", ["stand", "head"])
-def test_tracking_goes_on_bit_for_bit_from_a_recorded_state(engine: str, camera: str) -> None:
+def test_tracking_continues_bit_for_bit_from_a_recorded_state(engine: str, camera: str) -> None:
     """A state packed as recordings have it, taken over by another pipeline in mid-motion."""
     sim, info = build(replace(OPTIONS, camera=camera))
     first = Pipeline(sim.hand, sim.glove, info.rig, Settings(engine=engine))

@@ -86,7 +86,9 @@ def test_each_hand_has_its_own_estimates(
     stream.close()
 
 
-def test_a_stream_that_cannot_be_opened_says_why(process: StreamsProcess, named: Names) -> None:
+def test_the_reason_why_a_stream_cannot_be_opened_is_reported(
+    process: StreamsProcess, named: Names
+) -> None:
     with socket.create_server((LOOPBACK, 0)) as taken:
         options = replace(STREAMS.get("websocket").options(), port=taken.getsockname()[1])
         with raises(StreamError, "stream.server_not_started"):

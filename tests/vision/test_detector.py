@@ -250,7 +250,7 @@ def test_wrong_shapes_are_rejected_by_name(detector: Detector, image, reason: st
     assert rejected.reason == (reason,)
 
 
-def test_wall_of_a_hue_is_no_blob_and_hides_no_marker(detector: Detector) -> None:
+def test_a_wall_of_a_hue_is_not_a_blob_and_hides_no_marker(detector: Detector) -> None:
     """A background region is abandoned early; the patch next to it must still be found
     completely."""
     blobs, _ = detector.detect(draw([("red", (420.0, 240.0), (9, 9), 0)]))

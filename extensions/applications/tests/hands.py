@@ -31,13 +31,13 @@ def estimates(keys: Sequence[Key], rate: float = 100.0) -> list[Estimate]:
 
 
 def outcomes(name: str, keys: Sequence[Key], **settings: Any) -> list[Outcome]:
-    """What an application makes of a scripted hand."""
+    """Runs an application on a scripted hand."""
     runner = ApplicationRunner(name, HAND, GLOVE, settings)
     return [outcome for e in estimates(keys) for outcome in runner.feed(e)]
 
 
 def words(found: Sequence[Outcome]) -> list[str]:
-    """What happened, in order, without the beginning."""
+    """The kinds of events, in order, without the start."""
     reported = [str(e.data["what"]) for outcome in found for e in outcome.events]
     return [word for word in reported if word != "begins"]
 

@@ -121,14 +121,15 @@ def test_a_hand_without_an_application_is_and_stays_in_the_middle_of_the_view(st
     p = engine.latest_estimate().keypoints
     assert np.linalg.norm(panel.view.orbit.target - p.mean(axis=0)) < 0.08  # half a hand
     assert panel.view.orbit.distance < 1.0
-    panel.view.orbit.target = panel.view.orbit.target + 0.2  # as if it had gone away
+    panel.view.orbit.target = panel.view.orbit.target + 0.2  # as if it had moved away
     for _ in range(60):
         show(panel, stage, engine)
     assert np.linalg.norm(panel.view.orbit.target - p.mean(axis=0)) < 0.08
 
 
 def test_the_hand_is_drawn_after_the_colours_have_changed(staged, window, qtbot):
-    """They follow the light; an open application is then described again, for the same hand."""
+    """After the colours were adapted to the light, an open application is described again for the
+    same hand."""
     panel, stage, engine, _ = staged
     setup, profile = window.host.setup, models()[2]
     window.host.adopt(replace(setup, listeners=on(stage), profile=profile))
@@ -147,7 +148,7 @@ def progress(**counts) -> Progress:
     return Progress(counts, {})
 
 
-def test_each_application_says_what_to_do_now():
+def test_each_application_shows_its_current_instruction():
     for name in OURS:
         waits = instruction(name, progress(placed=1), located=False)
         begins = instruction(name, progress(placed=1), located=True)
@@ -226,7 +227,7 @@ def test_settings_are_changed_in_the_form(staged):
     assert changed == ["size", "loud", "place"]
 
 
-def test_what_runs_goes_over_to_the_hand_that_is_chosen(staged, window):
+def test_the_running_application_moves_to_the_selected_hand(staged, window):
     panel, right, engine, reported = staged
     hand, glove = library.load("vist-small-left")
     left = ApplicationStage(hand, glove)
@@ -244,7 +245,7 @@ def test_what_runs_goes_over_to_the_hand_that_is_chosen(staged, window):
     assert (right.name, left.name) == ("compass", "")
 
 
-def test_forms_are_where_the_drawing_says():
+def test_shapes_are_drawn_at_their_positions():
     turn = 0.5 * np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
     drawing = (
         Mesh("m", TETRA, FACES, R=turn, p=np.array([1.0, 0, 0])),

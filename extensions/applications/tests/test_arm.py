@@ -26,7 +26,7 @@ SETTINGS = {"place": FOOT, "scale": 2.0, "turning": False}
 
 
 def moved(share: float) -> tuple[float, float, float]:
-    """The palm when the gripper is so much of its way to the block."""
+    """The palm when the gripper has covered a share of its path to the block."""
     x, y, z = (u + share * d / 2.0 for u, d in zip(UP, TO_BLOCK, strict=True))
     return x, y, z
 
@@ -58,7 +58,7 @@ def test_a_hand_picks_up_the_block(commands: str) -> None:
     assert block_of(found[-1])[2] > 0.08
 
 
-def test_open_hands_leave_it_where_it_is_and_scale_counts() -> None:
+def test_open_hands_do_not_move_it_and_motion_is_scaled() -> None:
     away = (UP[0], UP[1] + 0.1, UP[2])
     keys = [
         Key(0.0, "grasp", UP),
@@ -77,7 +77,7 @@ def test_open_hands_leave_it_where_it_is_and_scale_counts() -> None:
     assert tool.p[1] == pytest.approx(2.0 * 0.04, abs=0.003)
 
 
-def test_an_open_palm_stops_it_until_a_thumb_says_go_on() -> None:
+def test_an_open_palm_stops_it_until_a_thumb_is_raised() -> None:
     sideways = (UP[0], UP[1] + 0.08, UP[2])
     keys = [
         Key(0.0, "grasp", UP),

@@ -1,4 +1,4 @@
-"""An application of one's own: installed as a package, fed, recorded, run again."""
+"""A user's application: installed as a package, fed, recorded, run again."""
 
 from __future__ import annotations
 
@@ -83,7 +83,7 @@ def test_the_example_is_short_and_listed(installed: None) -> None:
     assert list(titles())[:4] == ["touch", "arm", "place", "swarm"], "ours first"
 
 
-def test_ours_are_called_what_their_classes_say_and_named_without_their_packages(
+def test_built_in_applications_are_listed_without_importing_their_packages(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     described = APPLICATIONS.all().items()
@@ -99,7 +99,7 @@ def test_ours_are_called_what_their_classes_say_and_named_without_their_packages
         kind("arm")
 
 
-def test_a_pinch_draws_the_way_of_the_hand_and_a_fist_wipes_it(installed: None) -> None:
+def test_a_pinch_draws_a_line_and_a_fist_erases_it(installed: None) -> None:
     found = outcomes("air-drawing", LINE)
     assert words(found) == ["line", "wiped"]
     drawn = [o.drawing for o in found if any(isinstance(d, Line) for d in o.drawing)]
@@ -133,7 +133,7 @@ def test_settings_are_checked_and_a_change_is_an_event(installed: None) -> None:
     assert runner.settings.width == 7.0
 
 
-def test_a_session_holds_what_it_takes_to_run_it_again(installed: None, tmp_path: Path) -> None:
+def test_a_session_contains_everything_to_repeat_a_run(installed: None, tmp_path: Path) -> None:
     """Tracked from simulated sensors, recorded, read back: the same events to the last bit."""
     options = SimulateOptions(seed=3, motion="show:swarm", duration=6.4, images=False, fps=20.0)
     source = simulated(options, False)
@@ -146,7 +146,7 @@ def test_a_session_holds_what_it_takes_to_run_it_again(installed: None, tmp_path
     assert main(["apps", "air-drawing", str(out), "--check"]) == 0
 
 
-def test_events_that_are_others_are_found_out(installed: None) -> None:
+def test_different_events_are_detected(installed: None) -> None:
     found = [e for o in outcomes("air-drawing", LINE) for e in o.events]
     assert difference(found, found) == ""
     forged = [*found[:-1], replace(found[-1], data={**found[-1].data, "lines": 2})]
@@ -154,7 +154,7 @@ def test_events_that_are_others_are_found_out(installed: None) -> None:
     assert difference(found, found[:-1]).endswith("it is nothing.")
 
 
-def test_a_session_without_one_says_so(tmp_path: Path) -> None:
+def test_a_session_without_an_application_is_an_error(tmp_path: Path) -> None:
     from tracker.offline.simulate import simulate
 
     simulate(tmp_path / "s.mcap", SimulateOptions(duration=1.0, images=False))
@@ -162,7 +162,7 @@ def test_a_session_without_one_says_so(tmp_path: Path) -> None:
         replay(tmp_path / "s.mcap")
 
 
-def test_a_failing_application_rests_and_says_why(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_failing_application_is_stopped_and_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     from extensions.applications import registry
     from extensions.applications.tests.broken import Broken
 
@@ -206,7 +206,7 @@ def test_each_application_that_began_ends_however_quickly_others_are_shown(insta
     assert reported == ["begins", "ends"]
 
 
-def test_a_hand_between_two_samples_goes_on_as_it_went() -> None:
+def test_the_hand_is_extrapolated_between_two_samples() -> None:
     reader = HandReader(HAND, GLOVE)
     before, now, after = (reader.read(e) for e in estimates(LINE)[140:143])
     middle = predicted(before, now, 0.005)
@@ -220,7 +220,7 @@ def test_a_hand_between_two_samples_goes_on_as_it_went() -> None:
     assert t == seconds(nanoseconds(t)), "a session would not keep it"
 
 
-def test_a_lost_hand_has_no_place() -> None:
+def test_a_lost_hand_has_no_position() -> None:
     lost = replace(estimates(LINE)[0], tracking=Tracking.LOST)
     hand = HandReader(HAND, GLOVE).read(lost)
     assert not hand.located
@@ -249,7 +249,7 @@ def test_settings_that_are_rows_of_numbers_are_the_same_again(tmp_path: Path) ->
 
 @pytest.fixture
 def port(monkeypatch: pytest.MonkeyPatch) -> int:
-    """A free one, for a stream that is given up soon."""
+    """A free port, for a stream that is closed soon."""
     monkeypatch.setattr("extensions.applications.sources.SILENCE", 0.2)
     monkeypatch.setattr("extensions.applications.sources.PATIENCE", 0.3)
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as free:
@@ -272,7 +272,7 @@ def test_an_application_runs_on_a_live_stream_until_that_ends(port: int) -> None
     listener = threading.Thread(target=listen)
     listener.start()
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as out:
-        for k in range(3000):  # the first ones come before anybody listens
+        for k in range(3000):  # the first ones arrive before the client listens
             out.sendto(to_json(sent[k % 5], hand_names).encode(), ("127.0.0.1", port))
             if enough.wait(0.01):
                 break

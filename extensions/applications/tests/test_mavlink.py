@@ -1,4 +1,4 @@
-"""Our MAVLink against pymavlink's: the same bytes, and read as what was meant."""
+"""Our MAVLink against pymavlink's: identical bytes, read correctly."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def test_messages_of_pymavlink_are_read() -> None:
     assert v == pytest.approx([0.0, 0.0, 0.0])
 
 
-def test_what_is_damaged_or_strange_is_passed_over() -> None:
+def test_damaged_and_unknown_messages_are_skipped() -> None:
     good = targets(P[:1], V[:1], SYSTEMS[:1], 1.0, 0)[0]
     bad = bytearray(good)
     bad[20] ^= 1

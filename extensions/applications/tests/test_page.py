@@ -93,7 +93,7 @@ class Browser:
         self._hear(lambda said: said.get("method") == "Page.loadEventFired")
 
     def _address(self) -> str:
-        """It tells that where others tell their errors; what follows there is read away."""
+        """The address is written to standard error; the rest of that output is discarded."""
         assert self._process.stderr is not None
         for line in self._process.stderr:
             if "listening on ws://" in line:
@@ -113,7 +113,7 @@ class Browser:
         self._link.send(json.dumps(said | ({"sessionId": self._page} if self._page else {})))
 
     def _hear(self, wanted: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:
-        """The next thing it says that is wanted."""
+        """The next message that is wanted."""
         while True:
             said = json.loads(self._link.recv(60))
             if wanted(said):
@@ -129,7 +129,7 @@ class Browser:
         return result["result"].get("value")
 
     def until(self, script: str) -> None:
-        """The page looks until an expression is true."""
+        """Wait until an expression is true in the page."""
         look = f"const look = () => ({script}) ? done(true) : setTimeout(look, 20); look()"
         assert self.value(f"new Promise(done => {{ {look} }})") is True
 

@@ -1,4 +1,4 @@
-"""The virtual place: a scripted hand points, grasps, turns, scales and fades."""
+"""The virtual place: a scripted hand points, grasps, rotates, scales and fades."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def test_a_label_that_is_pointed_at_opens_its_object() -> None:
     assert [d.text for d in found[-1].drawing if isinstance(d, Text)] == ["Church"]
 
 
-def test_a_grasp_takes_and_turns_the_object_as_the_hand() -> None:
+def test_a_grasped_object_moves_and_turns_with_the_hand() -> None:
     here = at_object("grasp")
     keys = then(
         Key(0.5, "relaxed", here),

@@ -18,7 +18,7 @@ REPORTED = {
 
 
 @pytest.mark.parametrize("name", SHOWS)
-def test_a_show_does_what_its_application_is_for(name: str) -> None:
+def test_a_show_completes_its_application(name: str) -> None:
     reported = words(outcomes(name, show_keys(f"show:{name}")))
     at = -1
     for word in REPORTED[name]:
@@ -26,16 +26,16 @@ def test_a_show_does_what_its_application_is_for(name: str) -> None:
         at = reported.index(word, at + 1)
 
 
-def test_a_show_that_there_is_not_is_refused_in_words() -> None:
+def test_an_unknown_show_is_refused() -> None:
     with raises(ConfigError, "simulate.unknown_show", name="show:juggling"):
         show_keys("show:juggling")
 
 
 @pytest.mark.parametrize("name", SHOWS)
-def test_a_show_takes_its_application_to_be_where_that_puts_itself_before_the_first_hand(
+def test_a_show_expects_its_application_at_its_default_position(
     name: str,
 ) -> None:
-    """So it may begin at any time: in a window it does when somebody chooses it."""
+    """So it may begin at any time: in a window, when the user selects it."""
     found = outcomes(name, show_keys(name)[:2])
     application, settings = shown_application(f"show:{name}")
     assert application == name

@@ -1,4 +1,4 @@
-"""The swarm: steered by a scripted hand, held by walls, followed by vehicles that answer."""
+"""The swarm: steered by a scripted hand, stopped by walls, followed by vehicles that reply."""
 
 from __future__ import annotations
 
@@ -30,7 +30,8 @@ def drones_of(outcome) -> np.ndarray:
 
 
 def palm_for(point, gesture: str) -> tuple[float, float, float]:
-    """Where the palm is when this gesture's pinch point, or the hand's middle, is at a point."""
+    """The palm's position for which the gesture's pinch point, or the hand's middle, is at a
+    point."""
     ahead = {"pinch_index": (0.039, 0.026, -0.077), "grasp": (0.054, 0.038, -0.068)}
     dx = ahead.get(gesture, (0.05, 0.0, 0.0))
     return tuple(float(a - b) for a, b in zip(point, dx, strict=True))
@@ -113,7 +114,7 @@ def test_a_grasp_stretches_it() -> None:
 
 
 def swept_wall() -> list[Key]:
-    """A flat hand sweeps down beside the formation, then pulls it towards the wall."""
+    """A flat hand sweeps down next to the formation, then pulls it towards the wall."""
     x, y = MIDDLE[0] - 0.05, 0.17
     grab = palm_for(MIDDLE, "pinch_index")
     far = (grab[0], grab[1] + 0.3, grab[2])
@@ -151,7 +152,7 @@ def test_a_swept_palm_leaves_a_wall_that_no_drone_crosses() -> None:
 
 
 def test_hundreds_fly_and_nothing_depends_on_their_order() -> None:
-    """Each drone's new place is of the old places alone."""
+    """Each drone's new position depends only on the old positions."""
     slots = ball(300, 0.02)
     rng = np.random.default_rng(4)
     p, v = slots + rng.normal(0, 0.01, slots.shape), rng.normal(0, 0.1, slots.shape)

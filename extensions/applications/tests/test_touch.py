@@ -1,4 +1,4 @@
-"""Touching: contact of each fingertip as geometry has it, and the commands that motors receive."""
+"""Touching: the contact of each fingertip agrees with geometry; commands for motors."""
 
 from __future__ import annotations
 
@@ -76,13 +76,13 @@ def test_a_hand_that_presses_feels_more_the_deeper_it_is(table: str) -> None:
     assert max(np.array(strength)[t > 2.3]) == 0.0
 
 
-def test_it_is_felt_at_200_hz(table: str) -> None:
+def test_haptic_feedback_is_computed_at_200_hz(table: str) -> None:
     found = outcomes("touch", PRESS, mesh=table, size=0.6, place=[0.25, 0.0, 0.03])
     t = np.array([o.t for o in found])[1:]
     assert np.diff(t) == pytest.approx(0.005, abs=1e-6)
 
 
-def test_the_object_stands_before_the_hand_and_is_drawn() -> None:
+def test_the_object_is_placed_in_front_of_the_hand_and_drawn() -> None:
     found = outcomes("touch", PRESS[:2])
     (placed,) = datas(found, "placed")
     first = HandReader(HAND, GLOVE).read(estimates(PRESS)[0])
@@ -109,7 +109,7 @@ def test_motors_receive_changes_and_stop_after_a_release() -> None:
     for k in range(5):
         sink.take([command], 0.005 * k)
     assert sent == [(2, 128, LASTS_MS)]
-    sink.take([command], 0.04)  # lest it stops by itself
+    sink.take([command], 0.04)  # before it stops automatically
     assert sent[1:] == [(2, 128, LASTS_MS)]
     sink.take([command._replace(strength=0.8)], 0.045)
     sink.take([], 0.05)
@@ -130,7 +130,7 @@ def test_three_pulls_make_the_push() -> None:
     sink = MotorSink(lambda *args: sent.append(args) is None, lambda: 0.0)
     sink.take([MotorCommand("index_tip", 1.0, (0.0, 0.0, 1.0), 3)], 0.0)
     assert [t[0] for t in sent] == [THREE + 3, THREE + 4, THREE + 5]
-    assert len({t[1] for t in sent}) == 1  # straight on: all alike
+    assert len({t[1] for t in sent}) == 1  # a straight pull: all are equal
     sink.close()
     assert [t[1] for t in sent[3:]] == [0, 0, 0]
 
@@ -153,7 +153,7 @@ def test_a_lost_motor_command_is_sent_again_with_the_next_sample_and_no_event_be
 
 
 @pytest.mark.parametrize("kind", ["stl", "obj"])
-def test_meshes_are_read_as_trimesh_wrote_them(kind: str, tmp_path: Path) -> None:
+def test_meshes_written_by_trimesh_are_read(kind: str, tmp_path: Path) -> None:
     solid = trimesh.creation.annulus(0.1, 0.3, 0.2)
     solid.export(tmp_path / f"ring.{kind}")
     points, faces = load_mesh(str(tmp_path / f"ring.{kind}"))
@@ -168,7 +168,7 @@ def test_the_shipped_rabbit_is_closed() -> None:
     assert rabbit.volume > 0.05
 
 
-def test_another_mesh_is_read_where_it_is_set_and_a_bad_one_changes_nothing(table: str) -> None:
+def test_a_mesh_is_read_from_its_setting_and_a_bad_one_changes_nothing(table: str) -> None:
     runner = ApplicationRunner("touch", HAND, GLOVE, {"mesh": "rabbit"})
     with pytest.raises(ConfigError, match="unicorn"):
         runner.set("mesh", "unicorn")
@@ -179,7 +179,7 @@ def test_another_mesh_is_read_where_it_is_set_and_a_bad_one_changes_nothing(tabl
     assert shown.points is solid(table).file.points and runner.settings.mesh == table
 
 
-def test_what_is_no_mesh_is_refused_in_words(tmp_path: Path) -> None:
+def test_a_file_that_is_not_a_mesh_is_refused(tmp_path: Path) -> None:
     (tmp_path / "x.obj").write_text("v 1 2 zebra\n")
     (tmp_path / "y.stl").write_bytes(b"solid")
     (tmp_path / "z.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n" + "f 1 2 9\n" * 4)

@@ -1,7 +1,7 @@
-"""The add-on in a headless Blender: what its armatures show is what was recorded or sent.
+"""The add-on in a headless Blender: its armatures show what was recorded or sent.
 
-Blender is the program `blender`, or a Python that has its module `bpy`: this one, or the one that
-GLOVETRACK_BLENDER names.
+Blender is the program `blender`, or a Python that has its module `bpy`: this one, or the one in the
+variable GLOVETRACK_BLENDER.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""A simulated wearer who is asked for the script's gestures while moving freely keeps every rule.
+"""A simulated wearer who is asked for the script's gestures during free motion meets every rule.
 
 This is what the demo's wearer does, on the clock of the simulation: a loaded computer loses none.
 """

@@ -44,7 +44,7 @@ class Clock:
 
 class Follower(ScriptedEngine):
     """A simulated wearer who shows the script from the moment ``began`` (s) on, a metre above the
-    floor; ``lazy``: whose hand stays open. Known without any error."""
+    floor; ``lazy``: whose hand stays open. Without measurement errors."""
 
     def __init__(self, clock: Clock) -> None:
         super().__init__()
@@ -55,7 +55,7 @@ class Follower(ScriptedEngine):
         self.written = 0
 
     def go_on(self) -> None:
-        """Estimates up to now go into the recording."""
+        """Records the estimates up to now."""
         if self.recorder is None:
             return
         while self.began + self.written / HZ <= self.clock.now:
@@ -255,7 +255,7 @@ def test_the_drawn_hand_turns_from_side_to_side():
 
 
 @pytest.mark.parametrize(("simulated", "words"), [(True, "do not follow"), (False, "First open")])
-def test_a_simulated_wearer_who_does_not_follow_is_said_to(window, engine, simulated, words):
+def test_a_simulated_wearer_who_does_not_follow_is_reported(window, engine, simulated, words):
     setup = dataclasses.replace(scripted_setup(engine), simulated=simulated)
     window.host.adopt(setup)
     window.commands.actions["conformance"].trigger()

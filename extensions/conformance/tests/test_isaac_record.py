@@ -54,7 +54,8 @@ def written(path: Path, hands: dict[str, list[OpenXrHand]]) -> Path:
 
 
 def replayed(path: Path, n: int) -> list[dict[str, object]]:
-    """Per update what NVIDIA's replay has of each side: place, quaternion, valid, radius."""
+    """The values of NVIDIA's replay for each update and side: position, quaternion, valid,
+    radius."""
     tracker = deviceio.HandTracker()
     config = deviceio.McapReplayConfig(str(path), [(tracker, "hands")])
     out = []
@@ -181,7 +182,8 @@ def root_name(data: bytes) -> str:
 
 
 def described(data: bytes) -> dict[str, object]:
-    """What a reader needs of a binary schema: objects by name, each with its fields by name."""
+    """The parts of a binary schema that a reader needs: objects by name, each with its fields by
+    name."""
     root = root_of(data)
     objects = root.rows(0)
     names = [o.text(0) for o in objects]
@@ -206,7 +208,7 @@ def described(data: bytes) -> dict[str, object]:
     return out
 
 
-def test_records_come_back_to_the_bit_and_damage_is_said() -> None:
+def test_records_are_read_bit_for_bit_and_damage_is_reported() -> None:
     record = HandRecord(Stamps(5, 4, -3), joints_of(posed("left", 4)))
     data = encode(record)
     again = decode(data)

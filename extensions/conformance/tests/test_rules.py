@@ -35,7 +35,7 @@ HZ = 30
 
 @pytest.fixture(scope="module")
 def scripted() -> dict[str, tuple[list[HandRecord], list[ScriptStep]]]:
-    """The script as it truly is, without any sensor, one metre above the floor."""
+    """The true motion of the script, without sensors, one metre above the floor."""
     out = {}
     for side in SIDES:
         hand = load_hand(RESOURCES / "hands" / f"reference-{side}.toml")
@@ -145,7 +145,7 @@ def _wxyz(take: RecordTake) -> RecordTake:
 
 
 def _unturned(take: RecordTake) -> RecordTake:
-    """The wrist's quaternion is that of the first record for ever."""
+    """The wrist's quaternion remains that of the first record."""
     q = take.orientation.copy()
     q[:, 1] = q[0, 1]
     return replace(take, orientation=q)
@@ -192,7 +192,7 @@ def test_a_fault_is_found_by_the_rule_that_is_for_it(scripted, name: str) -> Non
     assert rules <= failed(v), failed(v)
 
 
-def test_a_rule_about_one_thing_is_not_broken_by_another(scripted) -> None:
+def test_a_rule_is_not_broken_by_an_unrelated_fault(scripted) -> None:
     assert failed(verdict(scripted, _gap)) == {"no gaps"}
     assert failed(verdict(scripted, _at_origin)) >= {"the wrist is in the room"}
     assert not failed(verdict(scripted, _jump)) - {"joint speed"}
@@ -245,7 +245,7 @@ class _Page(HTMLParser):
         self.foreign += [v for k, v in attrs if k in ("src", "href") and v]
 
 
-def test_the_page_stands_alone_and_tells_every_figure(scripted) -> None:
+def test_the_page_is_self_contained_and_lists_every_figure(scripted) -> None:
     v = replace(verdict(scripted, _gap), name="<take> & more.mcap")
     text = page(v)
     read = _Page()

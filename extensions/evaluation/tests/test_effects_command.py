@@ -1,4 +1,4 @@
-"""`evaluate effects`, small, and the errors of the simulated devices."""
+"""`evaluate effects` on a small scale, and the errors of the simulated devices."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`evaluate hands`, small, and what its figures are made of."""
+"""`evaluate hands` on a small scale, and the computation of its figures."""
 
 import json
 from concurrent.futures import Future
@@ -50,7 +50,7 @@ def test_an_unknown_engine_is_an_error(capsys: pytest.CaptureFixture[str]) -> No
 
 
 class NoWorkers:
-    """Workers whose board and flag have been ended by the same signal that ends us."""
+    """Workers whose process was ended by the same signal as this one."""
 
     @property
     def board(self) -> "NoWorkers":
@@ -75,6 +75,6 @@ class NoWorkers:
         raise BrokenPipeError
 
 
-def test_work_that_is_stopped_with_its_workers_is_no_disk_that_cannot_be_written() -> None:
+def test_stopped_workers_are_not_reported_as_a_disk_error() -> None:
     with pytest.raises(KeyboardInterrupt):
         run_all([WorkItem(print, ())], NoWorkers(), lambda share: None)

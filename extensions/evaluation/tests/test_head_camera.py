@@ -1,4 +1,4 @@
-"""Tracking before a camera that sways on a head, bent 15° away from how it was calibrated."""
+"""Tracking with a camera that sways on a head, tilted by 15° since its calibration."""
 
 from dataclasses import replace
 
@@ -18,7 +18,7 @@ from tracker.vision.rig import StereoRig, ideal_rig
 
 
 def mean_error_mm(tells: str) -> float:
-    """For the four keypoints in the camera's frame, after the first third of 5.4 s."""
+    """The error of the four keypoints in the camera's frame, after the first third of 5.4 s."""
     hand, glove = models()
     calibrated = ideal_rig()
     bent = calibrated.pose.R_GC @ so3.rx(np.deg2rad(15.0))

@@ -144,7 +144,7 @@ def test_scores_split_a_known_error_into_heading_and_inclination() -> None:
     assert row.total_deg == pytest.approx(angle * share, rel=1e-6)
 
 
-def test_a_file_that_is_no_recording_is_refused_in_words(tmp_path: Path) -> None:
+def test_a_file_that_is_not_a_recording_is_refused(tmp_path: Path) -> None:
     (tmp_path / "x.mat").write_bytes(b"nothing")
     with raises(FileError, "evaluation.not_broad"):
         inertial_broad.read_trial(tmp_path / "x.mat")
@@ -164,7 +164,7 @@ def test_inclination_on_an_undisturbed_recording_is_as_good_as_vqfs() -> None:
     assert by["segments"] < 1.0
 
 
-def test_the_command_writes_what_the_contract_names(
+def test_the_command_writes_the_files_of_the_contract(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     out, saved = tmp_path / "figures", tmp_path / "r.json"
@@ -195,7 +195,7 @@ def test_the_command_writes_what_the_contract_names(
     assert "Integration and gravity cross" in capsys.readouterr().out
 
 
-def test_a_missing_folder_of_recordings_is_said_before_the_work(tmp_path: Path) -> None:
+def test_a_missing_folder_of_recordings_is_reported_first(tmp_path: Path) -> None:
     words = ["evaluate", "inertial", "--broad", str(tmp_path / "none")]
     args = build_parser(words).parse_args(words)
     with raises(FileError, "evaluation.no_broad"):

@@ -24,14 +24,14 @@ def test_a_cube_is_lifted_and_put_down_in_its_place(side: str, seed: int) -> Non
 
 
 def test_a_hand_that_stays_open_places_nothing() -> None:
-    """The trial can fail: with fingers that cannot move the cube stays where it lay."""
+    """The trial can fail: if the fingers cannot move, the cube remains in its place."""
     teleop = Teleop(RobotSettings(joint_speed=1e-3), shadow())
     trial = pick_and_place(teleop, 1)
     assert not trial.placed
     assert trial.lifted_mm < 20
 
 
-def test_the_command_tells_how_near_tips_come(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_command_reports_the_distances_of_the_tips(capsys: pytest.CaptureFixture[str]) -> None:
     words = ["evaluate", "robot", "--trials", "0", "--people", "1", "--seconds", "3"]
     assert main([*words, "--json", "-"]) == 0
     tips = json.loads(capsys.readouterr().out)["tips"]

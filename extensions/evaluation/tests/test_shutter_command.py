@@ -1,4 +1,4 @@
-"""`evaluate shutter`, small, and what its figures are made of."""
+"""`evaluate shutter` on a small scale, and the computation of its figures."""
 
 from __future__ import annotations
 

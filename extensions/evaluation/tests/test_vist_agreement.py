@@ -50,8 +50,8 @@ def test_lost_points_do_not_count(whole: WholeHandErrors) -> None:
 
 @pytest.mark.timeout(300)
 def test_fingertips_are_as_uncertain_as_stated() -> None:
-    """A participant whose end joints bend by themselves; few seconds are few independent postures,
-    so that some more than 3 % may be beyond three standard deviations."""
+    """A participant whose end joints bend independently; a few seconds contain few independent
+    postures, so that more than 3 % may be beyond three standard deviations."""
     case = Case("free", "chain", minutes=0.5, fps=30.0)
     rows = {(a.keypoint, a.state): a for a in agreement([run_trial(case, 3)])}
     for tip in ("thumb_tip", "index_tip", "middle_tip"):

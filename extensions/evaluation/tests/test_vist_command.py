@@ -1,4 +1,4 @@
-"""`evaluate vist` from the command line, small, and the pieces it is made of."""
+"""`evaluate vist` from the command line on a small scale, and its parts."""
 
 import argparse
 import io
@@ -57,7 +57,7 @@ def test_a_small_run_writes_rows_figures_and_a_page(tmp_path, capsys):
         assert set(row) >= ROW_KEYS
         assert 0 < row["mean_mm"] < 15
         assert row["paper"]["mean_mm"] == 10.69
-        assert row["between_sd_mm"] is None  # one person alone has none
+        assert row["between_sd_mm"] is None  # there is none for one person
     page = (out / "report.html").read_text()
     assert "simulated" in page
     assert f"{rows[0]['mean_mm']:.2f}" in page
@@ -110,7 +110,7 @@ def test_what_is_not_known_is_a_dash_in_the_table():
     assert "–" not in line_of(Case("free", "vist"), summarise([a_trial(0)]))
 
 
-def test_with_one_lens_or_none_the_engine_is_one_that_can(capsys):
+def test_the_default_engine_supports_the_number_of_lenses(capsys):
     one, none = (cases_of(parse("--lenses", n, "--experiments", "free")) for n in ("one", "none"))
     assert [(c.engine, c.lenses) for c in one + none] == [("chain", "one"), ("inertial", "none")]
     for words, code in (
@@ -137,7 +137,7 @@ def test_a_glove_without_a_camera_is_judged_by_its_joints(capsys):
     assert args.command.start(args) == 0
     (row,) = json.loads(capsys.readouterr().out)["rows"]
     assert 0.5 < row["angles_deg"] < 10 and row["lost"] == 0.0
-    assert row["nees_per_dof"] is None  # there is no place to be sure of
+    assert row["nees_per_dof"] is None  # there is no position, so it has no uncertainty
 
 
 def a_trial(participant: int) -> Trial:
@@ -156,7 +156,7 @@ class Terminal(io.StringIO):
         return True
 
 
-def test_the_bar_tells_what_is_left():
+def test_the_bar_shows_the_remaining_time():
     now = iter([0.0, 30.0, 60.0])
     screen = Terminal()
     bar = ProgressBar(screen, clock=lambda: next(now))
@@ -188,7 +188,7 @@ def test_the_defaults_are_the_papers():
         (["--motion", "absent.tsv"], "file.missing", {"path": "absent.tsv"}),
     ],
 )
-def test_what_does_not_exist_is_named(words, code, values):
+def test_a_missing_file_is_named(words, code, values):
     with raises(ConfigError, code, **values):
         cases_of(parse(*words))
 
@@ -207,8 +207,8 @@ def test_guided_rows_are_listed_side_by_side():
     assert [c.is_led for c in cases] == [False, True, True, True, False, True]
 
 
-def test_who_is_known_begins_with_what_another_session_of_his_has_left(monkeypatch):
-    """The same free motion, with the glove put on as in it: known by the bones of his own hand."""
+def test_a_known_wearer_starts_with_the_profile_of_another_session(monkeypatch):
+    """The same free motion with the same fitting of the glove: the wearer's bones are known."""
     monkeypatch.setattr("extensions.evaluation.vist.trial.FIRST_SESSION", 0.02)
     monkeypatch.setattr("tracker.simulation.guided.POSES", {"flat": POSES["flat"]})
     case = Case("free", "chain", minutes=0.1, fps=20, seed=11)
@@ -224,7 +224,7 @@ def test_who_is_known_begins_with_what_another_session_of_his_has_left(monkeypat
 
 
 @pytest.mark.parametrize("words", [["--participants", "0"], ["--minutes", "x"], ["--level", "3d"]])
-def test_wrong_usage_ends_with_two(words):
+def test_a_usage_error_exits_with_two(words):
     with pytest.raises(SystemExit) as stop:
         parse(*words)
     assert stop.value.code == 2
@@ -238,7 +238,7 @@ def test_a_trial_is_the_same_whoever_runs_it():
     assert here.matches == elsewhere.matches
 
 
-def test_ablations_change_what_they_name():
+def test_ablations_change_the_named_part():
     for name, ablation in ABLATIONS.items():
         changed = ablation.settings(Settings()) != Settings()
         moved = ablation.fps is not None or ablation.speed != 1 or ablation.outage > 0
@@ -264,7 +264,7 @@ def test_outages_withhold_images_and_are_judged_at_their_end():
     assert all(in_outage(t, 5.0) for t in judged)
 
 
-def test_silent_imus_stay_silent_and_images_pass():
+def test_disabled_imus_send_nothing_and_images_pass():
     out = list(without_imus(iter([imu(1.0), imu(9.0), image(9.0)])))
     assert out[0].valid.all()
     assert not out[1].valid.any()

@@ -1,4 +1,4 @@
-"""Judging from where the wearer looks: with a camera on the head, errors count in its frame."""
+"""Errors with a camera on the head are measured in its frame."""
 
 from types import SimpleNamespace
 
@@ -46,7 +46,7 @@ def judged(simulation, place):
     return Judge(simulation, pipeline, columns, place).trial(record, 0, outage=0.0)
 
 
-def test_a_wrong_camera_pose_is_no_error_in_the_cameras_frame(simulation):
+def test_a_wrong_camera_pose_is_not_an_error_in_the_cameras_frame(simulation):
     trial = judged(simulation, "camera")
     assert len(trial.t) == 12
     np.testing.assert_allclose(trial.error, 0, atol=1e-12)

@@ -1,4 +1,5 @@
-"""Finished trials outlive an evaluation that is ended, and go only into tables they belong to."""
+"""Finished trials are stored when an evaluation is ended, and are used only in the tables of their
+case."""
 
 from __future__ import annotations
 
@@ -19,7 +20,8 @@ CASES = [Case("free", "chain"), Case("free", "vist", ablation="loose")]
 
 
 class Participants:
-    """Stands for `run_trial`: trials of noise that say whose they are; ends after ``end`` runs."""
+    """Replaces `run_trial`: trials of noise that identify their participant; ends after ``end``
+    runs."""
 
     def __init__(self, end: int = 1000) -> None:
         self.ran: list[tuple[Case, int]] = []
@@ -51,9 +53,7 @@ def run(
     return run_cases(cases, 3, stored=stored), people.ran
 
 
-def test_a_run_that_was_ended_goes_on_where_it_stood(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
+def test_an_interrupted_run_is_resumed(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     first, done = run(monkeypatch, StoredTrials(tmp_path / "stored"), CASES, end=4)
     assert [len(trials) for trials in first] == [3, 1]
     second, ran = run(monkeypatch, StoredTrials(tmp_path / "stored"), CASES)
@@ -78,7 +78,7 @@ def assert_same_fields(a: Trial | WholeHandErrors, b: Trial | WholeHandErrors) -
 def test_trials_of_another_case_are_not_taken(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    """Every field of a case counts, and so does what is in the files that it names."""
+    """Every field of a case counts, and so does the content of its files."""
     stored, profile = StoredTrials(tmp_path / "stored"), tmp_path / "wearer.toml"
     profile.write_text("one")
     case = replace(CASES[0], wearer=str(profile))

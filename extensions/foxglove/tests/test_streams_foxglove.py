@@ -1,4 +1,4 @@
-"""The Foxglove server, read by a client written from the protocol's text alone.
+"""The Foxglove server, read by a client written from the protocol's specification.
 
 Protocol: github.com/foxglove/ws-protocol.
 """
@@ -47,7 +47,7 @@ def server(names: Names) -> Iterator[FoxglovePublisher]:
 
 
 class Client:
-    """Says hello, reads what is advertised, subscribes."""
+    """Connects, reads the advertised channels, subscribes."""
 
     def __init__(self, connection: ClientConnection) -> None:
         self.connection = connection
@@ -72,7 +72,7 @@ class Client:
         return stamp, json.loads(data)
 
     def ros(self, topic: str, number: int = 7) -> Any:
-        """The next message of ROS 2, read by ``rosbags`` with the definition that is advertised."""
+        """The next message of ROS 2, read by ``rosbags`` with the advertised definition."""
         channel, store = self.channels[topic], get_typestore(Stores.EMPTY)
         assert (channel["encoding"], channel["schemaEncoding"]) == ("cdr", "ros2msg")
         store.register(get_types_from_msg(channel["schema"], channel["schemaName"]))
@@ -173,7 +173,7 @@ def test_a_lost_joint_is_not_in_the_scene(client, server, make_estimate, names, 
     assert len(lines["points"]) == 2 * (len(bones(names.keypoints)) - 1)
 
 
-def test_an_inferred_joint_looks_otherwise(client, server, make_estimate, names, wait_for) -> None:
+def test_an_inferred_joint_looks_different(client, server, make_estimate, names, wait_for) -> None:
     client.subscribe(f"{TOPIC}/scene")
     wait_for(lambda: server.clients == 1)
     estimate = make_estimate(2.5)
@@ -238,7 +238,7 @@ def test_each_client_gets_the_model_once_for_each_subscription(server, make_esti
             assert client.ros(f"{TOPIC}/robot_description", number=4).data.startswith("<?xml")
             server.send(make_estimate())
             client.say("no such thing")
-            client.text("status")  # the answer is the next message: the model is not sent again
+            client.text("status")  # the reply is the next message: the model is not sent again
 
 
 def test_names_without_a_glove_have_no_model(make_estimate, names: Names, wait_for) -> None:
@@ -249,7 +249,7 @@ def test_names_without_a_glove_have_no_model(make_estimate, names: Names, wait_f
     server.close()
 
 
-def test_foxglove_of_yesterday_is_understood(server, make_estimate, wait_for) -> None:
+def test_the_previous_protocol_of_foxglove_is_supported(server, make_estimate, wait_for) -> None:
     with connected(server, OLD_PROTOCOL) as client:
         client.subscribe(TOPIC, number=12)
         wait_for(lambda: server.clients == 1)
@@ -257,7 +257,7 @@ def test_foxglove_of_yesterday_is_understood(server, make_estimate, wait_for) ->
         assert client.message(number=12)[1]["t"] == 3.0
 
 
-def test_who_does_not_speak_the_protocol_is_turned_away(server) -> None:
+def test_clients_without_the_protocol_are_rejected(server) -> None:
     with pytest.raises(InvalidStatus) as refused, connect(f"ws://127.0.0.1:{server.port}"):
         pass
     assert refused.value.response.status_code == 400
@@ -295,7 +295,9 @@ def test_unsubscribing_ends_a_topic_and_leaves_the_other(
         ('{"op": "getParameters", "parameterNames": []}', "foxglove.no_operation"),
     ],
 )
-def test_nonsense_gets_an_answer_and_the_client_stays(client, server, request_text, code) -> None:
+def test_invalid_requests_are_answered_and_the_client_stays(
+    client, server, request_text, code
+) -> None:
     client.connection.send(request_text)
     status = client.text("status")
     assert status["level"] == 2 and shows(status["message"], code)
@@ -306,7 +308,7 @@ def test_nonsense_gets_an_answer_and_the_client_stays(client, server, request_te
 
 
 def test_a_slow_client_loses_the_oldest_and_delays_no_one(server, make_estimate, wait_for) -> None:
-    """It wakes up after 1500 estimates, some 6 MB: far more than the buffers between hold."""
+    """It wakes up after 1500 estimates, about 6 MB: far more than the buffers can contain."""
     with connected(server) as slow, connected(server) as quick:
         slow.subscribe(TOPIC)
         quick.subscribe(TOPIC)
@@ -337,7 +339,7 @@ def test_without_clients_nothing_is_encoded_and_leaving_is_noticed(
 
 
 def let_in(server: FoxglovePublisher, origin: str) -> bool:
-    """Whether a page of ``origin`` is let in."""
+    """Whether a page of ``origin`` may connect."""
     try:
         with connect(
             f"ws://127.0.0.1:{server.port}", subprotocols=[PROTOCOL], origin=origin
@@ -372,24 +374,24 @@ def test_pages_of_foxglove_and_of_this_machine_may_read(server, origin: str) -> 
         "http://app.foxglove.dev",
     ],
 )
-def test_pages_of_other_sites_are_turned_away(server, origin: str) -> None:
+def test_pages_of_other_sites_are_rejected(server, origin: str) -> None:
     assert not let_in(server, origin)
 
 
-def test_a_site_of_ones_own_is_let_in_where_the_settings_name_it(names: Names) -> None:
+def test_a_site_in_the_settings_may_read(names: Names) -> None:
     out = FoxglovePublisher(names, port=0, origins=["https://viz.example.org"])
     assert let_in(out, "https://viz.example.org")
     assert not let_in(out, "https://example.org")
     out.close()
 
 
-def test_only_this_machine_is_listened_to_by_default(server) -> None:
+def test_only_local_clients_are_accepted_by_default(server) -> None:
     with socket.socket() as other:
         other.settimeout(1)
         assert other.connect_ex(("127.0.0.2", server.port)) != 0
 
 
-def test_a_taken_port_is_said_in_words_and_closing_frees_it(names, make_estimate) -> None:
+def test_a_port_in_use_is_reported_and_closing_frees_it(names, make_estimate) -> None:
     first = FoxglovePublisher(names, port=0)
     with raises(StreamError, "stream.server_not_started"):
         FoxglovePublisher(names, port=first.port)

@@ -24,7 +24,7 @@ def tracked(tmp_path: Path, record: Callable[..., Path], maker) -> tuple[Path, l
     return record(tmp_path / "in.mcap", estimates), estimates
 
 
-def test_bvh_joints_stand_where_ours_do(tracked, tmp_path: Path, session_info) -> None:
+def test_bvh_joints_have_our_positions(tracked, tmp_path: Path, session_info) -> None:
     path, estimates = tracked
     export(path, "bvh", tmp_path / "o.bvh", ExportOptions(units="m"))
     root = bvhio.readAsHierarchy(str(tmp_path / "o.bvh"))

@@ -20,7 +20,7 @@ def tracked(tmp_path: Path, record: Callable[..., Path], maker) -> tuple[Path, l
     return record(tmp_path / "in.mcap", estimates), estimates
 
 
-def test_c3d_says_what_was_measured(tracked, tmp_path: Path, session_info) -> None:
+def test_c3d_distinguishes_measured_points(tracked, tmp_path: Path, session_info) -> None:
     path, estimates = tracked
     export(path, "c3d", tmp_path / "o.c3d")
     file = ezc3d.c3d(str(tmp_path / "o.c3d"))
@@ -32,7 +32,7 @@ def test_c3d_says_what_was_measured(tracked, tmp_path: Path, session_info) -> No
     points, residual = file["data"]["points"], file["data"]["meta_points"]["residuals"][0]
     assert np.allclose(points[:3, :n, 5].T, estimates[5].keypoints * 1000, atol=1e-3)
     assert np.isnan(points[:3, 3, 8]).all() and residual[3, 8] == -1
-    sd_mm = 1000 * estimates[5].keypoint_sd  # random, up to 1000: a byte holds no more than 127
+    sd_mm = 1000 * estimates[5].keypoint_sd  # random, up to 1000: a byte contains at most 127
     assert np.allclose(residual[:n, 5], np.clip(np.ceil(sd_mm), 1, 127))
     analog = file["data"]["analogs"][0, 4, 5]
     assert analog == pytest.approx(np.rad2deg(estimates[5].angles[4]), abs=1e-4)
@@ -70,10 +70,12 @@ def test_c3d_carries_markers_imus_and_notes(
         assert np.allclose(file["data"]["points"][:3, column, 3], wanted * 1000, atol=1e-3)
     names = file["parameters"]["ANALOG"]["LABELS"]["value"]
     packet = [m for m in messages if isinstance(m, ImuSample)][4]
-    imu = 1  # the other is missing in this packet's neighbour
+    imu = 1  # the other one is missing in a neighbouring packet
     column = names.index(f"{glove.imu_names[imu]}_gyr_x")
     assert file["data"]["analogs"][0, column, 4] == pytest.approx(packet.gyro[imu, 0], abs=1e-5)
     assert file["parameters"]["ANALOG"]["UNITS"]["value"][column] == "rad/s"
     events = file["parameters"]["EVENT"]
-    assert events["DESCRIPTIONS"]["value"] == ["a mark"]  # the other came after the last estimate
+    assert events["DESCRIPTIONS"]["value"] == [
+        "a mark"
+    ]  # the other one was written after the last estimate
     assert events["TIMES"]["value"][1, 0] == pytest.approx(0.25, abs=1e-4)

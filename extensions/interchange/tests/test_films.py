@@ -38,7 +38,7 @@ def about(session_info: SessionInfo) -> SessionInfo:
 
 @pytest.fixture
 def session(tmp_path: Path, about: SessionInfo, maker) -> Path:
-    """A hand that bends before grey images."""
+    """A bending hand in front of grey images."""
     hand, grey = about.hand, np.full((SIZE[1], SIZE[0], 3), 90, np.uint8)
     path = tmp_path / "in.mcap"
     with SessionRecorder(path, about) as recorder:
@@ -113,7 +113,7 @@ def test_views_are_laid_out_in_rows_of_two_at_the_first_ones_size() -> None:
     assert side_by_side([None, cells[0]]) is None
 
 
-def test_views_that_are_none_are_refused() -> None:
+def test_unknown_views_are_refused() -> None:
     with raises(ConfigError, "export.views"):
         ExportOptions(views=("behind",))
 
@@ -124,7 +124,9 @@ def program(folder: Path, script: str) -> None:
     path.chmod(path.stat().st_mode | stat.S_IXUSR)
 
 
-def test_images_go_to_ffmpeg_as_they_are(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_images_are_passed_to_ffmpeg_unchanged(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     program(
         tmp_path,
         "import sys\n"
@@ -154,7 +156,7 @@ def test_the_message_of_an_ffmpeg_that_ends_early_is_reported(
             made.write(image)
 
 
-def test_without_ffmpeg_the_film_is_plain_and_that_is_said(
+def test_without_ffmpeg_the_film_is_mpeg4_and_this_is_reported(
     session: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(film.shutil, "which", lambda name: None)

@@ -25,13 +25,13 @@ from tracker.session.writer import SessionRecorder
 
 Y_UP = AXES["y-up"].rows
 NEAR = 1e-4  # m
-START = 0.5  # s, by which the hand is found
+START = 0.5  # s, after which the hand is found
 HOLE = (1.0, 1.7)  # s without estimates
 
 
 @pytest.fixture(scope="module")
 def tracked(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Four seconds of a simulated hand whose size is being found out."""
+    """Four seconds of a simulated hand whose size is being estimated."""
     folder = tmp_path_factory.mktemp("same")
     simulate(folder / "in.mcap", SimulateOptions(images=False, duration=4.0))
     track(folder / "in.mcap", folder / "out.mcap")
@@ -127,7 +127,7 @@ class Glb:
 
 
 def test_bones_change_while_calibrating(tracked: Path) -> None:
-    """Else the tests below would say nothing."""
+    """Otherwise the tests below would be meaningless."""
     _, points, _ = table(tracked)
     fingers = ("index", "middle", "ring", "little")
     bones = [points[f"{f}_pip"] - points[f"{f}_mcp"] for f in fingers]
@@ -135,7 +135,7 @@ def test_bones_change_while_calibrating(tracked: Path) -> None:
     assert (np.nanmax(lengths, axis=1) - np.nanmin(lengths, axis=1)).max() > 3 * NEAR
 
 
-def test_bvh_says_what_the_csv_says(tracked: Path) -> None:
+def test_bvh_agrees_with_the_csv(tracked: Path) -> None:
     out = tracked.with_name("o.bvh")
     export(tracked, "bvh", out, ExportOptions(units="m"), force=True)
     t, points, _ = table(tracked)
@@ -149,7 +149,7 @@ def test_bvh_says_what_the_csv_says(tracked: Path) -> None:
                 assert np.linalg.norm(p - Y_UP @ points[name][k]) < NEAR, (name, k)
 
 
-def test_glb_says_what_the_csv_says(tracked: Path) -> None:
+def test_glb_agrees_with_the_csv(tracked: Path) -> None:
     out = tracked.with_name("o.glb")
     export(tracked, "glb", out, force=True)
     t, points, _ = table(tracked)
@@ -163,7 +163,8 @@ def test_glb_says_what_the_csv_says(tracked: Path) -> None:
 
 
 def urdf_positions(path: Path, every: int = 1) -> list[tuple[int, dict[str, np.ndarray]]]:
-    """Row of the trajectory, and where yourdfpy has the keypoints in the world with its values."""
+    """A row of the trajectory, and yourdfpy's positions of the keypoints in the world for its
+    values."""
     robot = yourdfpy.URDF.load(str(path), load_meshes=False)
     with path.with_suffix(".joints.csv").open() as file:
         rows = list(csv.DictReader(file))
@@ -178,8 +179,8 @@ def urdf_positions(path: Path, every: int = 1) -> list[tuple[int, dict[str, np.n
     return out
 
 
-def test_urdf_with_its_trajectory_says_what_the_csv_says(tracked: Path) -> None:
-    """In a foreign reader: bones that change, and axes that a joint has not."""
+def test_urdf_with_its_trajectory_agrees_with_the_csv(tracked: Path) -> None:
+    """Read by another library: bones that change, and axes that a joint lacks."""
     out = tracked.with_name("o.urdf")
     export(tracked, "urdf", out, force=True)
     t, points, _ = table(tracked)
@@ -201,7 +202,7 @@ def test_urdf_follows_a_part_at_another_rate_in_other_axes(tracked: Path) -> Non
         assert max(np.linalg.norm(place[n] - points[n][k]) for n in points) < NEAR
 
 
-def test_what_moves_a_urdf_is_within_its_limits(tracked: Path) -> None:
+def test_values_of_urdf_joints_are_within_limits(tracked: Path) -> None:
     out = tracked.with_name("o.urdf")
     export(tracked, "urdf", out, force=True)
     robot = yourdfpy.URDF.load(str(out), load_meshes=False)
@@ -248,7 +249,7 @@ def test_a_hole_stays_a_hole_in_the_csv(holed: Path, rate: float) -> None:
     assert np.isfinite(points["index_tip"][lost]).all()
 
 
-def test_what_surrounds_a_hole_is_not_bent_by_it(tracked: Path, holed: Path) -> None:
+def test_motion_around_a_hole_is_not_changed(tracked: Path, holed: Path) -> None:
     t, whole, _ = table(tracked, rate=40.0)
     _, points, _ = table(holed, rate=40.0)
     near = (np.abs(t - HOLE[0] + 0.1) < 0.08) | (np.abs(t - HOLE[1] - 0.1) < 0.08)
@@ -313,8 +314,8 @@ def test_a_hole_shows_nothing_in_glb(holed: Path) -> None:
     assert all(np.allclose(before[n], late[n], atol=1e-6) for n in before), "nodes stand still"
 
 
-def test_formats_say_how_sure_each_point_is(holed: Path) -> None:
-    """At each instant in glTF; on the whole beside a format that has no place for it."""
+def test_formats_contain_the_uncertainty_of_each_point(holed: Path) -> None:
+    """For each instant in glTF; as a summary next to formats without a field for it."""
     out = holed.with_name("o.glb")
     export(holed, "glb", out, force=True)
     t, _, rows = table(holed)

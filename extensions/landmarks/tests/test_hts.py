@@ -39,7 +39,7 @@ from tracker.streaming.registry import StreamSettings, open_streams, with_stream
 
 
 def opened(names: Names, port: int, **options: object):
-    """The stream as a user switches it on."""
+    """The stream as a user enables it."""
     table = {"hts": True, "hts_port": port} | {f"hts_{k}": v for k, v in options.items()}
     return open_streams(StreamSettings(table), [names])["hts"][0]
 

@@ -38,7 +38,7 @@ HZ = 50
 
 @pytest.fixture
 def moving(session_info) -> Callable[..., list[Message]]:
-    """``moving(n, lost)``: n estimates, 20 ms apart, of a hand that bends and goes its way; the
+    """``moving(n, lost)``: n estimates, 20 ms apart, of a hand that bends and moves; the
     index fingertip and one angle are lost in the rows ``lost``."""
     hand, glove = session_info.hand, session_info.glove
 
@@ -79,7 +79,7 @@ def names_of(folder: Path, feature: str) -> list[str]:
 
 
 def read_by_rerun(folder: Path, episode: int) -> dict[str, list[Any]]:
-    """What the reader of Rerun returns for each entity, row by row."""
+    """The values that Rerun's reader returns for each entity, row by row."""
     reader = pytest.importorskip("rerun.experimental").LeRobotReader(folder)
     assert reader.version == "v3"
     found: dict[str, list[Any]] = {}
@@ -221,10 +221,10 @@ def test_what_is_lost_keeps_its_last_value_under_a_mask(
     assert (valid[:, k] == 1).all()
 
 
-def test_a_finger_that_the_glove_has_not_is_nowhere(
+def test_a_finger_that_the_glove_lacks_is_unknown(
     tmp_path: Path, record: Callable[..., Path], moving, session_info
 ) -> None:
-    """No turn in place of a quaternion, and never known."""
+    """The identity instead of a quaternion, and never known."""
     estimates, row = [], session_info.keypoint_names.index("little_tip")
     for e in moving(20):
         points, q, state = e.keypoints.copy(), e.keypoint_q.copy(), e.keypoint_state.copy()
@@ -280,7 +280,7 @@ def test_parts_between_notes_are_episodes_with_the_notes_as_tasks(
     ]
 
 
-def test_both_hands_stand_beside_each_other(tmp_path: Path, moving, session_info) -> None:
+def test_both_hands_are_stored_side_by_side(tmp_path: Path, moving, session_info) -> None:
     from tracker.session.description import describe
 
     hand = (RESOURCES / "hands" / "reference-left.toml").read_text()
@@ -347,7 +347,7 @@ def test_frames_without_an_image_of_their_own_take_the_nearest(
     assert recorded["episodes"][0]["image_gap_s"] == pytest.approx(0.020, abs=0.004)
 
 
-def test_sessions_that_differ_are_refused_in_words(
+def test_sessions_that_differ_are_refused(
     tmp_path: Path, record: Callable[..., Path], maker, moving
 ) -> None:
     plain = record(tmp_path / "a.mcap", moving(20))
@@ -384,7 +384,7 @@ def test_films_are_made_by_the_systems_ffmpeg(
     moving,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """A stand-in keeps what it is fed: each frame's image once, in order, of both episodes."""
+    """A substitute stores its input: each frame's image once, in order, of both episodes."""
     programs = tmp_path / "bin"
     programs.mkdir()
     monkeypatch.setenv("PATH", str(programs))

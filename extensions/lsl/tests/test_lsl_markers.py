@@ -9,7 +9,7 @@ import pytest
 
 try:
     import pylsl
-except (ImportError, RuntimeError) as error:  # RuntimeError: no liblsl beside it
+except (ImportError, RuntimeError) as error:  # RuntimeError: liblsl is missing
     pytest.skip(f"pylsl is not usable: {error}", allow_module_level=True)
 
 from extensions.lsl.markers import MarkerDoor
@@ -22,7 +22,7 @@ from tracker.streaming.remote.request import Reply, Request
 
 
 class Taken:
-    """Who acts: keeps what was asked."""
+    """A handler that stores requests."""
 
     def __init__(self) -> None:
         self.requests: list[Request] = []
@@ -86,7 +86,7 @@ def test_a_stream_that_ends_is_forgotten() -> None:
             threading.Event().wait(0.01)
         assert [r.text for r in taken.requests] == ["5"]
         del short
-        deadline = monotonic() + 30  # LSL still announces it for a while
+        deadline = monotonic() + 30  # LSL continues to announce it for a while
         while door.counts().clients and monotonic() < deadline:
             threading.Event().wait(0.05)
         assert door.counts().clients == 0

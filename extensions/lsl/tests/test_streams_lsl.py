@@ -74,7 +74,7 @@ def test_an_inlet_reads_what_was_sent_with_its_stamp(make_estimate, names: Names
         inlet.close_stream()
     finally:
         out.close()
-    out.send(make_estimate())  # after closing: nothing happens
+    out.send(make_estimate())  # ignored after closing
 
 
 def test_the_second_schema_appends_numbers_and_velocities(make_estimate, names: Names) -> None:

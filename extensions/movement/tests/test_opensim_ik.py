@@ -55,7 +55,7 @@ def moving(maker, scale: Array, is_fist: bool = False) -> list[Estimate]:
 
 
 def twist(hand: HandModel, R: Array, p: Array, i: int, angle: float) -> None:
-    """Turn segment ``i`` and all behind it about its own line, in place."""
+    """Rotate segment ``i`` and its descendants about its own axis, in place."""
     turn = R[i] @ so3.exp(np.array([angle, 0.0, 0.0])) @ R[i].T
     behind = [i]
     for s, parent in enumerate(hand.parent):

@@ -23,7 +23,7 @@ Session = tuple[Path, list[ImuSample], list[Estimate]]
 
 @pytest.fixture
 def session(tmp_path: Path, record: Callable[..., Path], maker) -> Session:
-    """0.6 s with packets, of which one IMU is missing in some, estimates and two notes."""
+    """0.6 s with packets, some of which lack one IMU, estimates and two notes."""
     messages = list(maker.stream(600, images=False))
     messages.append(Event(messages[0].t + 0.25, "note", "grasp\tnow"))
     path = record(tmp_path / "in.mcap", messages)
@@ -61,7 +61,7 @@ def test_raw_samples_in_pyarrow_to_the_last_bit(session: Session, tmp_path: Path
     assert np.array_equal(column, [p.accel[0, 0] for p in packets[10:21]])
 
 
-def test_raw_samples_are_not_turned_and_have_to_be_there(
+def test_raw_samples_are_not_rotated_and_are_required(
     session: Session, tmp_path: Path, record: Callable[..., Path], maker
 ) -> None:
     with raises(ConfigError, "export.not_supported"):

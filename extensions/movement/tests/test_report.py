@@ -1,4 +1,4 @@
-"""A report's numbers against motion that is known, and its page."""
+"""A report's numbers against known motion, and its page."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ FISTS, LEAD, PERIOD = 4, 4.0, 1.6  # times, s before the first, s each
 
 @dataclass(frozen=True)
 class Fists:
-    """A hand that stays in place and makes half a fist some times."""
+    """A hand that stays in place and repeatedly makes half a fist."""
 
     hand: HandModel
     R_GB: Array
@@ -102,7 +102,7 @@ def test_the_report_of_a_simulated_recording_matches_its_truth(sessions: tuple[P
 def test_the_range_of_one_repetition_holds_for_a_wearer_whose_cloth_slips(
     tmp_path: Path,
 ) -> None:
-    """Within 2° where the range of the whole take, which has the slip in it, is within 2 sd."""
+    """Within 2°; the range of the whole recording, which includes slip, is within 2 sd."""
     first, info = build(SimulateOptions(seed=2, duration=2.0, images=False))
     _, R_GB, p_GB = pose_at(first.motion, 0.0)
     sim = Simulation(info.hand, info.glove, Fists(info.hand, R_GB, p_GB), 2, fps=30.0)
@@ -125,13 +125,13 @@ def test_turns_are_from_one_end_to_the_other() -> None:
     swing = np.cos(2 * np.pi * t) + 0.5 * t
     found = turns(swing, swing.min(), swing.max())
     assert len(found) == 5  # the first top is inside the band
-    # half a period of drift, 0.25, is added on the way up and taken off on the way down
+    # half a period of drift, 0.25, is added on the way up and subtracted on the way down
     assert found[::2] == pytest.approx(2.25, abs=0.02)
     assert found[1::2] == pytest.approx(1.75, abs=0.02)
     assert len(turns(np.zeros(5), -1, 1)) == 0
 
 
-def test_repetitions_are_crossings_of_the_middle_and_noise_is_none() -> None:
+def test_repetitions_are_crossings_of_the_middle_despite_noise() -> None:
     t = np.arange(0, 12, 0.01)
     noise = 0.02 * np.random.default_rng(1).normal(size=len(t))
     for count in (1, 3, 7):
@@ -189,7 +189,7 @@ def test_unknown_values_are_reported_as_unknown(sessions: tuple[Path, Path]) -> 
 
 
 class Links(html.parser.HTMLParser):
-    """Everything that a page would fetch."""
+    """Everything that a page would load."""
 
     def __init__(self) -> None:
         super().__init__()

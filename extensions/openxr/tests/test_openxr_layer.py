@@ -413,7 +413,7 @@ def test_the_source_is_a_hand_without_obstruction(scene: Scene, program, runtime
 
 
 @pytest.mark.parametrize("runtime", ["", "hands", "hands sources"])
-def test_who_asks_for_a_controllers_hand_does_not_get_the_gloves(
+def test_a_tracker_for_controller_hands_does_not_get_the_gloves_hand(
     scene: Scene, program, runtime: str
 ) -> None:
     sent, application = program(), scene.application(runtime=runtime)

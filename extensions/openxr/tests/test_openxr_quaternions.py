@@ -1,4 +1,4 @@
-"""Quaternions in arrays against SciPy's."""
+"""Quaternions in arrays agree with SciPy's."""
 
 from __future__ import annotations
 

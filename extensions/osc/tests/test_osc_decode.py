@@ -1,4 +1,4 @@
-"""OSC from other hands: what a foreign library writes is read, and nonsense is refused."""
+"""OSC messages of another library are read, and invalid ones are refused."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def test_what_we_write_is_what_we_read(text: str, number: int) -> None:
 
 
 @given(st.binary(max_size=200))
-def test_no_bytes_do_harm(data: bytes) -> None:
+def test_arbitrary_bytes_are_harmless(data: bytes) -> None:
     for candidate in (data, b"/a\0\0" + data, b"#bundle\0" + data):
         try:
             address, _ = message(candidate)
@@ -55,7 +55,7 @@ def test_no_bytes_do_harm(data: bytes) -> None:
     "data",
     [b"", b"/a", b"a\0\0\0", b"/a\0\0i\0\0\0", b"/a\0\0,i\0\0\0\0", b"/a\0\0,b\0\0\0\0\0\0"],
 )
-def test_what_is_cut_off_or_strange_is_refused(data: bytes) -> None:
+def test_truncated_and_unknown_messages_are_refused(data: bytes) -> None:
     with pytest.raises(OscError):
         message(data)
 

@@ -25,7 +25,7 @@ from tracker.streaming.remote.request import Reply, Request, RequestError
 HERE = "127.0.0.1"
 
 
-def test_osc_asks_for_the_same_and_is_answered() -> None:
+def test_osc_requests_are_executed_and_answered() -> None:
     note = osc.parse(osc_message("/glovetrack/note", "grün"), 1.0)
     assert note == Request("note", 1.0, text="grün")
     motor = osc.parse(osc_message("/glovetrack/vibrate", "thumb", 90.0, 40), 1.0)
@@ -34,7 +34,7 @@ def test_osc_asks_for_the_same_and_is_answered() -> None:
     assert message(said) == ("/glovetrack/reply", ["start", 1, "Recording a.", "a.mcap"])
 
 
-def test_a_button_of_an_osc_surface_acts_when_pressed_alone() -> None:
+def test_a_button_of_an_osc_surface_acts_only_when_pressed() -> None:
     assert osc.parse(osc_message("/glovetrack/start", 1.0), 0.0) == Request("start", 0.0)
     assert osc.parse(osc_message("/glovetrack/start", 0.0), 0.0) is None
 
@@ -42,13 +42,13 @@ def test_a_button_of_an_osc_surface_acts_when_pressed_alone() -> None:
 @pytest.mark.parametrize(
     "data", [osc_message("/other"), osc_message("/glovetrack/note", "a", "b"), b"note hello"]
 )
-def test_strange_osc_is_refused(data: bytes) -> None:
+def test_invalid_osc_is_refused(data: bytes) -> None:
     with pytest.raises(RequestError):
         osc.parse(data, 0.0)
 
 
 @given(st.binary(max_size=300))
-def test_no_bytes_do_harm(data: bytes) -> None:
+def test_arbitrary_bytes_are_harmless(data: bytes) -> None:
     for candidate in (data, b"/glovetrack/" + data):
         try:
             osc.parse(candidate, 0.0)
@@ -57,7 +57,7 @@ def test_no_bytes_do_harm(data: bytes) -> None:
 
 
 def test_a_reply_is_not_answered() -> None:
-    """Two programs that answer each other would never end."""
+    """Two programs that reply to each other would never stop."""
     assert osc.parse(osc.encode(Reply(False, "", "What?")), 0.0) is None
 
 
@@ -66,7 +66,7 @@ def test_a_contact_has_three_values() -> None:
     assert osc.parse(osc_message("/glovetrack/contact", "index", 0.5, "cup"), 1.0) == want
 
 
-def test_another_library_is_understood_and_answered_and_the_port_is_freed() -> None:
+def test_requests_of_another_library_are_answered_and_the_port_is_freed() -> None:
     asked: list[Request] = []
 
     def answer(request: Request) -> Future[Reply]:

@@ -27,7 +27,7 @@ from tracker.messages import Estimate, Tracking
 from tracker.streaming.publisher import Names
 
 POSE = "/VMC/Ext/Tra/Pos"
-# Where an avatar's axes lie for somebody who looks along its gaze, right-handed (east, north, up):
+# An avatar's axes, seen along its gaze, right-handed (east, north, up):
 # it looks north, its right hand points east and its left hand west, palms down.
 ENU_OF_UNITY = np.array([[1.0, 0, 0], [0, 0, 1], [0, 1, 0]])
 HAND_IN_ENU = {"right": np.eye(3), "left": np.diag([-1.0, -1.0, 1.0])}
@@ -123,7 +123,7 @@ def test_every_bone_arrives_under_unitys_name(hand, make_estimate) -> None:
     assert_allclose(tracker, [*p, *q], atol=1e-6)
 
 
-def test_a_lost_bone_is_said_to_be_lost_and_has_no_pose(hand, make_estimate) -> None:
+def test_a_lost_bone_is_sent_as_lost_without_a_pose(hand, make_estimate) -> None:
     e = make_estimate(lost=("wrist", "index_mcp_abduction"), tracking=Tracking.LOST)
     messages = received(hand, e)
     assert messages[0][-1] == 0

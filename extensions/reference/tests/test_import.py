@@ -226,7 +226,7 @@ def test_keypoints_that_are_only_inferred_have_offsets_too(wearer: Wearer, tmp_p
     )
 
 
-def test_an_offset_that_is_a_translation_stays_one() -> None:
+def test_a_common_offset_is_found_as_a_translation() -> None:
     """A hand that moves without turning; all markers 60 mm above their keypoints."""
     rng = np.random.default_rng(7)
     path = np.cumsum(rng.normal(0, 0.002, (600, 1, 3)), axis=0)

@@ -1,4 +1,4 @@
-"""What a file contains, mapping files to begin with, and remarks on an import."""
+"""Recognition of a file's content, templates of mapping files, and remarks on an import."""
 
 from __future__ import annotations
 

@@ -49,7 +49,7 @@ def replays(window: MainWindow, path: Path) -> bool:
 
 @pytest.fixture
 def opened(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """What was opened in other programs."""
+    """Files that were opened in other programs."""
     paths: list[str] = []
     monkeypatch.setattr(QDesktopServices, "openUrl", lambda url: paths.append(url.toLocalFile()))
     return paths
@@ -124,7 +124,7 @@ def test_a_reference_is_imported_and_the_new_session_shows_it(
     assert not dialog.progress.isVisible()
 
 
-def test_what_is_wrong_is_said_in_words(
+def test_errors_are_reported_before_the_import(
     dialog: ImportDialog, wearer: Wearer, x_L: Array, replayed: MainWindow, session: Path, qtbot
 ) -> None:
     """Files that cannot be read or lack points, and a mirrored one; nothing is imported."""
@@ -172,7 +172,7 @@ def activation():
     return QEvent(QEvent.Type.WindowActivate)
 
 
-def test_each_way_has_its_field(replayed: MainWindow, session: Path, qtbot) -> None:
+def test_each_alignment_method_has_its_field(replayed: MainWindow, session: Path, qtbot) -> None:
     form = ImportForm(replayed.host.setup, session)
     qtbot.addWidget(form)
     form.show()
@@ -215,7 +215,7 @@ def with_reference(imported: Path, tmp_path: Path) -> Path:
 
 
 def report_of(window: MainWindow, qtbot) -> AccuracyDialog:
-    """The dialog that was opened, with its report."""
+    """The opened dialog, with its report."""
     (dialog,) = window.findChildren(AccuracyDialog)
     click(dialog.write_button, qtbot)
     qtbot.waitUntil(lambda: dialog.table.isVisible(), timeout=PATIENCE_MS)

@@ -41,7 +41,7 @@ def joint(
 
 def numbered(side: int = 1) -> str:
     """Four fingers with numbered links and joints, as Allegro's; ``side`` -1: a left hand. Its
-    meshes are in a package that is not there."""
+    meshes are in a missing package."""
     mesh = '<mesh filename="package://some_hand/meshes/part.dae"/>'
     parts = [link("base_link", '<box size="0.03 0.1 0.1"/>')]
     for f, y in enumerate((0.045, 0.0, -0.045)):
@@ -70,7 +70,7 @@ def _numbered_finger(
 
 
 def lettered() -> str:
-    """Five fingers named FF, MF, RF, LF, TH on a wrist and an arm, with a camera beside the arm;
+    """Five fingers named FF, MF, RF, LF, TH on a wrist and an arm, with a camera next to the arm;
     the last joint of each finger mimics the one before it."""
     parts = [link("pedestal"), link("arm", '<box size="0.1 0.1 0.4"/>'), link("camera")]
     parts += [joint("arm_joint", "pedestal", "arm", "0 0 0.5", SPREAD)]

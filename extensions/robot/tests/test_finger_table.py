@@ -61,7 +61,7 @@ def test_a_correction_is_stored_for_this_hand_and_taken_back(table, window, qtbo
     qtbot.waitUntil(lambda: links(table)["index"] == "link_3.0_tip", timeout=60_000)
 
 
-def test_a_hand_that_is_not_understood_can_still_be_corrected(table, qtbot) -> None:
+def test_an_unrecognised_hand_can_be_corrected(table, qtbot) -> None:
     choose(table, "thumb", "")
     qtbot.waitUntil(lambda: table.message.isVisible(), timeout=60_000)
     assert "fingertips" in table.message.text()

@@ -1,4 +1,4 @@
-"""Fingertips go where they are asked to, within limits and speeds."""
+"""Fingertips reach their targets, within limits of joints and speeds."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ DT = 0.01
 
 
 def reachable_way(seconds: float) -> np.ndarray:
-    """(n, 22) rad: joints that go to and fro within limits and couplings."""
+    """(n, 22) rad: joints that oscillate within limits and couplings."""
     hand = shadow()
     t = np.arange(0, seconds, DT)[:, None]
     phase = np.random.default_rng(0).uniform(0, 6.28, len(hand.joint_names))
@@ -89,7 +89,7 @@ def test_the_wearers_straight_hand_is_the_robots_straight_hand() -> None:
 
 
 def test_a_pinch_of_the_wearer_is_a_pinch_of_the_robot() -> None:
-    """The gap between the robot's two tips is that of two pads that touch, not some scaled gap."""
+    """The gap between the robot's tips is that of two touching pads, not a scaled gap."""
     hand = wearer_model()
     for finger, row in (("index", 1), ("middle", 2)):
         shown = wearer(pinch(hand, finger))

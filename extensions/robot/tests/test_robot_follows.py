@@ -1,4 +1,4 @@
-"""The robot follows, holds where the hand is lost, and does the same again to the last bit."""
+"""The robot follows, holds where the hand is lost, and repeats exactly."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def test_the_robot_holds_a_lost_hand_and_does_not_open() -> None:
     assert held[-1].palm[:3] == pytest.approx(states[119].palm[:3], abs=0.02)
 
 
-def test_a_hand_that_is_found_elsewhere_does_not_carry_the_robot_there() -> None:
+def test_the_robot_does_not_jump_to_a_hand_found_elsewhere() -> None:
     teleop = robot()
     before = fed(teleop, closing(60, lost_from=50))[-1]
     far = [replace(one, p_G=one.p_G + [0.5, 0.2, 0.1], t=one.t + 1.0) for one in closing(2)]
@@ -134,7 +134,7 @@ def test_unknown_commands_and_settings_are_errors() -> None:
         RobotSettings(objects="teapot")
 
 
-def test_a_fingertip_on_the_table_feels_it_and_one_in_the_air_does_not() -> None:
+def test_only_a_fingertip_on_the_table_has_contact_force() -> None:
     teleop = robot()
     hand = wearer_model()
     bent = posture(hand, {"index_mcp_flexion": 80.0})

@@ -1,4 +1,4 @@
-"""What is read off an MJCF: fingers, palm, limits; the mirrored hand; the URDF of it."""
+"""The content read from an MJCF: fingers, palm, limits; the mirrored hand; its URDF."""
 
 from __future__ import annotations
 

@@ -80,7 +80,7 @@ def test_a_robot_follows_the_hand_is_recorded_and_holds_when_released(window, qt
 
 
 class Process:
-    """In place of a robot's: who it is of, and whether it has ended."""
+    """A substitute for a robot's process: whose it is, and whether it has ended."""
 
     def __init__(self, settings, hand, names, receive) -> None:
         self.side, self.hand, self.closed, self.missed = settings.side, hand, False, 0
@@ -113,7 +113,7 @@ def test_selecting_the_other_hand_selects_a_robot_of_that_side(window, monkeypat
 
 
 class _Feed:
-    """The next hand, 10 ms after the one before."""
+    """The next hand, 10 ms after the previous one."""
 
     def __init__(self, followed: Followed, estimate: Estimate) -> None:
         self._followed, self._estimate = followed, estimate

@@ -16,11 +16,11 @@ from extensions.robot.settings import RobotSettings
 from extensions.robot.tests.hands import wearer_model
 from tracker.messages import Estimate, RobotState, Tracking
 
-PATIENCE = 60.0  # s, for a process that is just starting on a busy machine
+PATIENCE = 60.0  # s, for a process that is starting on a loaded machine
 
 
 class Received:
-    """What a robot has answered, and how long to wait for a fact about it."""
+    """The replies of a robot, and how long to wait for a condition."""
 
     def __init__(self) -> None:
         self.answers: list[Answer] = []
@@ -55,7 +55,7 @@ def test_the_newest_hand_is_used_after_commands_and_a_sudden_end_is_reported() -
     receive, hand = Received(), wearer_model()
     robot = RobotProcess(RobotSettings(objects=""), hand, hand.keypoint_names, receive)
     try:
-        for k in range(50):  # before it is there: one of them is stored
+        for k in range(50):  # before it has started: one of them is stored
             robot.feed(estimate(0.01 * k), time.monotonic())
         assert receive.until(lambda: len(receive.answers) > 1)
         assert isinstance(receive.answers[0], RobotReady)

@@ -1,4 +1,4 @@
-"""What is drawn of a robot is what MuJoCo has: closed, turned outwards, where its bodies are."""
+"""A robot is drawn as in MuJoCo: closed shapes, with outward normals, at its bodies' poses."""
 
 from __future__ import annotations
 

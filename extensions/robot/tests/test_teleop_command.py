@@ -145,7 +145,7 @@ def followed(
     seconds: float = 0.7,
     watch: Callable[[RobotState], None] = lambda state: None,
 ) -> list[RobotState]:
-    """What a robot does that follows ``address``, to which a hand is sent on and on."""
+    """The output of a robot that follows ``address``, to which a hand is sent continuously."""
     figures, states, ended = DriveFigures(), [], threading.Event()
 
     def see(state: RobotState) -> None:

@@ -1,4 +1,4 @@
-"""How a tracker is fixed to the hand: found again on simulated movements with a known answer."""
+"""The mounting of a tracker on the hand is found from simulated movements with a known result."""
 
 from __future__ import annotations
 
@@ -100,7 +100,7 @@ def test_a_twentieth_of_wild_poses_and_a_gap_change_little(movement: Moved) -> N
         ({"duration": 3.0}, "room.too_short"),
     ],
 )
-def test_a_movement_that_tells_too_little_is_refused(
+def test_an_insufficient_movement_is_refused(
     joints: int, change: dict[str, object], code: str
 ) -> None:
     with raises(AlignmentError, code):
@@ -140,7 +140,7 @@ def test_the_command_aligns_a_recording(
     assert main(["room", "align", str(session), "-o", str(out), "--force"]) == 0
 
 
-def test_an_aligned_glove_is_where_the_room_says(joints: int) -> None:
+def test_an_aligned_glove_follows_the_tracker(joints: int) -> None:
     """The alignment of one movement, used on another one."""
     hand, glove = library.load()
     found = solve(moved(Turning(joints)))

@@ -129,7 +129,7 @@ def test_own_addresses_with_and_without_rotation(hands: Hands, wait_for) -> None
     assert np.isnan(hands.poses[1].q_GT).all()
 
 
-def test_what_cannot_be_read_is_counted_and_nothing_breaks(hands: Hands, wait_for) -> None:
+def test_unreadable_packets_are_counted(hands: Hands, wait_for) -> None:
     bad: list[bytes] = [b"", b"\0" * 40, b"#bundle\0" + bytes(8) + b"\x7f\xff\xff\xff", b"/x\0\0"]
     nested = b"/x\0\0,\0\0\0"
     for _ in range(9):

@@ -128,7 +128,7 @@ def test_a_source_is_chosen_tested_and_its_trackers_are_offered(
     assert window.store.value.remote["vrpn_right"] == "Wrist", "as live tracking uses it"
 
 
-def test_the_test_says_that_nothing_arrives(
+def test_the_test_reports_missing_data(
     dialog: RoomDialog, window: MainWindow, qtbot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("extensions.room.window.listening.LISTEN_S", 0.3)

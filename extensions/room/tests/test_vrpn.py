@@ -63,7 +63,7 @@ def test_poses_are_read_from_bytes_in_any_pieces() -> None:
         greeting(()) + message(0, -1, b"\0"),
     ],
 )
-def test_bytes_of_something_else_are_refused(data: bytes) -> None:
+def test_another_protocols_bytes_are_refused(data: bytes) -> None:
     with pytest.raises(VrpnError):
         VrpnReader().poses(data)
 
@@ -102,7 +102,7 @@ def test_a_server_is_read_and_found_again_after_it_ended(hands: Hands, wait_for)
     assert right.t <= right.t_arrival <= monotonic()
 
 
-def test_a_door_without_a_server_waits_for_one(hands: Hands, wait_for) -> None:
+def test_a_client_waits_for_its_server(hands: Hands, wait_for) -> None:
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))  # no process listens
         with opened(hands, "vrpn", port=taken.getsockname()[1], right="any") as door:

@@ -27,7 +27,7 @@ def circles(page) -> list[Circle]:
 
 @pytest.mark.parametrize("paper", PAPERS_MM)
 @pytest.mark.parametrize("name", library.names("gloves"))
-def test_every_patch_is_there_once_in_its_size_and_apart(name: str, paper: str) -> None:
+def test_every_patch_is_printed_once_at_true_size(name: str, paper: str) -> None:
     hand, glove = library.load(name)
     pages = marker_pages(hand, glove, paper)
     cut = [p for p in pages if "patches at true scale" in p.axes.texts[1].get_text()]
@@ -96,7 +96,9 @@ def test_the_wiring_shows_each_select_line_with_its_imu() -> None:
     assert all(imu.name.replace("_", " ") in words for imu in glove.imus)
 
 
-def test_what_exists_is_not_replaced(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_existing_files_are_not_replaced(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     path = tmp_path / "board.pdf"
     path.write_text("mine")
     assert main(["print", "board", "-o", str(path)]) == 1

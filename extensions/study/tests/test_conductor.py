@@ -168,7 +168,7 @@ def test_a_trial_can_be_repeated_or_excluded(conductor: Conductor) -> None:
     assert conductor.step != step
 
 
-def test_a_timed_trial_ends_by_hand(conductor: Conductor, station: FakeStation) -> None:
+def test_a_timed_trial_is_ended_manually(conductor: Conductor, station: FakeStation) -> None:
     t = to_first_trial(conductor)
     conductor.go_on(t)
     t = run(conductor, t, 8.0)

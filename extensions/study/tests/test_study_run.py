@@ -104,7 +104,7 @@ def test_a_verdict_names_what_is_missing(
     assert stored(json.loads(json.dumps(verdict.as_json()))).findings == verdict.findings
 
 
-def test_a_file_that_is_cut_off_is_not_good(done: Progress, tmp_path: Path) -> None:
+def test_a_truncated_file_is_rejected(done: Progress, tmp_path: Path) -> None:
     (step,) = (s for s in done.trials if s.task == "postures")
     whole = done.path(step).read_bytes()
     (tmp_path / "cut.mcap").write_bytes(whole[: len(whole) // 2])

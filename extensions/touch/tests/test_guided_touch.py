@@ -16,7 +16,7 @@ STEP = 0.05
 
 
 class Session:
-    """Collects what the run notes."""
+    """Collects the run's notes."""
 
     def __init__(self) -> None:
         self.events: list[Event] = []

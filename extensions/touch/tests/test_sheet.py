@@ -85,7 +85,7 @@ def rig() -> StereoRig:
 
 @pytest.mark.parametrize("scale", [1.0, 0.99])
 def test_pose_and_scale_of_a_simulated_print_are_found(rig: StereoRig, scale: float) -> None:
-    """Targets within 0.5 mm; a print that is 1 % too small is called so, a right one is not."""
+    """Targets within 0.5 mm; a print that is 1 % too small is reported, a correct one is not."""
     place = placed_sheet(3, scale)
     pose = find_sheet(sheet_frames(place, rig, 2, 3), rig)
     assert pose.scale == pytest.approx(scale, abs=0.002)

@@ -1,4 +1,4 @@
-"""Simulated wearers: they touch what they are asked to, and the study compares like with like."""
+"""Simulated wearers touch the requested crosses, and the study compares equal conditions."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from tracker.messages import Calibration
 
 
 def test_the_pulp_rests_on_the_cross_that_was_asked_for() -> None:
-    """The middle of the round end is a radius above the cross, less what the pulp gives way; aim,
-    pulp and tremor move it by some 0.8 mm per axis (SD)."""
+    """The middle of the round end is a radius above the cross, minus the compression of the pulp;
+    aim, pulp and tremor move it by some 0.8 mm per axis (SD)."""
     trial = SimulatedTrial(5, lead=1.0)
     wearer = trial.sim.wearer
     for cued in trial.motion.cued:
@@ -56,7 +56,7 @@ def row(seed: int, fault: str, off: float, sd: float, codes=(), with_ruler=()) -
     return WearerFigures(seed, fault, fingers, 0, codes, with_ruler, 1.0, (0.7, 0.95, 1.0))
 
 
-def test_the_study_judges_bias_spread_and_what_was_said() -> None:
+def test_the_study_judges_bias_spread_and_claims() -> None:
     rows = [
         row(1, "none", 0.3, 2.1),
         row(2, "print", -0.1, 2.2, ("touch.print_scale",), ("touch.print_scale",)),

@@ -90,7 +90,7 @@ def test_intervals_contain_the_truth(tracked, results) -> None:
     assert hit >= 14
 
 
-def test_a_wrong_print_is_said_and_does_not_spoil_the_figure(results) -> None:
+def test_a_wrong_print_is_reported_and_does_not_affect_the_result(results) -> None:
     codes = [{n.code for n in result.notices} for result in results]
     assert ["touch.print_scale" in c for c in codes] == [False, True]
     assert results[1].pose.scale == pytest.approx(0.99, abs=0.002)

@@ -1,5 +1,5 @@
-"""SteamVR's part, played with python-osc's server and SciPy's rotations: what VMT's driver makes of
-messages (its source: z and the rotation's z and w change sign), and a skeleton's world poses."""
+"""A substitute for SteamVR, with python-osc's server and SciPy's rotations: what VMT's driver makes
+of messages (its source: z and the rotation's z and w change sign), and a skeleton's world poses."""
 
 from __future__ import annotations
 

@@ -37,7 +37,7 @@ def opened(names: Names, kind: str, **options: str) -> Publisher:
 
 
 def share(names: Names, e: Estimate, joint: str) -> float:
-    """For the angle's range, from straight (0) to the most (1)."""
+    """Share of the angle's range, from straight (0) to its maximum (1)."""
     j = names.angles.index(joint)
     low, high = names.model.angle_limits[j]
     return float(np.clip((e.angles[j] - max(low, 0.0)) / (high - max(low, 0.0)), 0, 1))
@@ -92,7 +92,7 @@ def test_without_the_driver_it_fails_and_opens_the_pipe_later(names: Names, tmp_
 
 
 def parsed(line: str) -> dict[str, int | None]:
-    """Keys and values as Monado's driver finds them; a key without a value is a button."""
+    """Keys and values as Monado's driver parses them; a key without a value is a button."""
     assert re.fullmatch(r"(?:(?:\([A-E]{2,3}\)|[A-P])\d*)+\n", line)
     pairs = re.findall(r"(\([A-Z]+\)|[A-Z])(\d*)", line)
     return {key: int(value) if value else None for key, value in pairs}

@@ -53,7 +53,7 @@ def client() -> Iterator[socket.socket]:
 
 
 def opened(client: socket.socket, names: Names, **options: object) -> Any:
-    """The stream as a user switches it on."""
+    """The stream as a user enables it."""
     table = {"vmt": True, "vmt_port": client.getsockname()[1]}
     table |= {f"vmt_{key}": value for key, value in options.items()}
     return open_streams(StreamSettings(table), [names])["vmt"][0]
@@ -161,7 +161,7 @@ def test_closing_turns_the_device_off(client: socket.socket, names: Names) -> No
         ("vmt?grip=clutch", "vr.unknown_gesture", {"name": "clutch"}),
     ],
 )
-def test_options_that_cannot_be(
+def test_invalid_options_are_refused(
     names: Names, words: str, code: str, values: dict[str, object]
 ) -> None:
     with raises(StreamError, code, **values):
@@ -181,7 +181,7 @@ def test_a_bundle_fits_the_drivers_buffer(
     assert STREAMS.get("vmt").options().port == 39570
 
 
-def test_the_drivers_sign_of_life_is_what_a_test_waits_for() -> None:
+def test_a_connection_test_waits_for_the_drivers_heartbeat() -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         probe.bind((LOOPBACK, 0))
         port = probe.getsockname()[1]

@@ -1,4 +1,4 @@
-"""Vibration from SteamVR: python-osc sends what VMT's driver does."""
+"""Vibration from SteamVR: python-osc sends the messages of VMT's driver."""
 
 from __future__ import annotations
 

@@ -63,7 +63,7 @@ def test_it_finds_and_tracks_a_stranger(session, tracked, hand, glove):
     assert (error.max(axis=1) < 35).mean() > 0.98
 
 
-def test_it_knows_its_own_uncertainty(session, tracked, hand, glove):
+def test_the_claimed_uncertainty_matches_the_errors(session, tracked, hand, glove):
     """Squared errors over variances: within a factor of ten of the filter's variances."""
     simulation, _ = session
     late = [e for e in tracked[0] if e.t > 3.0]
@@ -89,7 +89,7 @@ def test_matches_are_the_markers_that_were_seen(session, tracked):
     assert good >= 0.99 * total
 
 
-def test_it_goes_on_identically_from_a_saved_state(session, tracked, hand, glove):
+def test_it_continues_identically_from_a_saved_state(session, tracked, hand, glove):
     simulation, messages = session
     half = len(messages) // 2
     first = VistEngine(hand, glove, simulation.rig, VistParams())
@@ -140,7 +140,7 @@ def test_a_late_image_changes_nothing_but_its_time_of_use(session, hand, glove):
     np.testing.assert_allclose(keypoints[0], keypoints[1], rtol=0, atol=1e-9)
 
 
-def test_out_of_view_it_says_so_and_comes_back(hand, glove):
+def test_a_hand_out_of_view_is_lost_and_found_again(hand, glove):
     motion = leaving(RandomPostures(hand, seed=2, duration=13.0), ((5.0, 10.0),))
     simulation, messages = simulate(hand, glove, motion, seed=2)
     engine = VistEngine(hand, glove, simulation.rig, VistParams())
@@ -166,7 +166,7 @@ def test_other_gloves_need_no_other_code(hand, name):
     assert errors_mm(simulation, late, hand, glove).mean() < 15
 
 
-def test_a_gap_in_a_finger_is_refused_in_words(hand, glove):
+def test_a_gap_in_a_finger_is_refused(hand, glove):
     imus = tuple(i for i in glove.imus if i.segment != "index_proximal")
     broken = GloveModel(
         glove.name, glove.side, glove.hand_name, imus, glove.markers, glove.keypoints

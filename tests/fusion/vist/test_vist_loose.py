@@ -48,7 +48,7 @@ def test_its_covariance_is_that_of_many_fits():
     np.testing.assert_allclose(np.std(errors, axis=0), np.sqrt(np.diag(pose.cov)), rtol=0.25)
 
 
-def test_a_line_two_points_and_a_stranger_tell_nothing():
+def test_collinear_points_and_an_outlier_give_no_result():
     cov = np.tile(NOISE, (4, 1, 1))
     line = np.outer([0.0, 0.01, 0.02, 0.03], [1.0, 0.5, 0.0])
     assert fit_pose(line, line @ R_TRUE.T + P_TRUE, cov) is None
