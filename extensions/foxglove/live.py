@@ -111,9 +111,10 @@ class FoxglovePublisher:
             raise StreamError(notice("stream.closed", what="Foxglove server"))
         stamp_ns = round((estimate.t + self._wall) * 1e9)
         wanted = {channel for c in self._clients for channel in tuple(c.wants.by_channel)}
-        for channel in sorted(wanted & hand.encoders.keys()):
-            payload = hand.encoders[channel](estimate, stamp_ns)
-            self._server.call(self._hand_out, channel, stamp_ns, payload)
+        channels = sorted(wanted & hand.encoders.keys())
+        if channels:
+            payloads = {c: hand.encoders[c](estimate, stamp_ns) for c in channels}
+            self._server.call(self._hand_out, stamp_ns, payloads)
 
     def close(self) -> None:
         self._closed = True
@@ -121,9 +122,11 @@ class FoxglovePublisher:
 
     # ---- in the server's own thread
 
-    def _hand_out(self, channel: int, stamp_ns: int, payload: bytes) -> None:
+    def _hand_out(self, stamp_ns: int, payloads: Mapping[int, bytes]) -> None:
+        """``payloads`` by channel."""
         for client in self._clients:
-            client.offer(channel, stamp_ns, payload)
+            for channel, payload in payloads.items():
+                client.offer(channel, stamp_ns, payload)
 
     async def _serve(self, connection: ServerConnection) -> None:
         for text in self._greeting:
@@ -152,14 +155,13 @@ class _HandChannels:
         scene, gestures = FoxgloveScene(names), names.recogniser()
         self.encoders: dict[int, Callable[[Estimate, int], bytes]] = {
             ESTIMATE + first: lambda e, _: to_json(e, names, gestures).encode(),
-            SCENE + first: lambda e, stamp_ns: _json(scene.update(e, stamp_ns)),
+            SCENE + first: lambda e, stamp_ns: scene.text(e, stamp_ns).encode(),
             JOINTS + first: partial(robot.joint_states, names),
         }
         self.once: dict[int, bytes] = {}
         if names.hand is not None:
-            self.encoders[TRANSFORMS + first] = lambda e, stamp_ns: _json(
-                robot.frame_transforms(names, e, stamp_ns)
-            )
+            transforms = robot.FrameTransforms(names)
+            self.encoders[TRANSFORMS + first] = lambda e, ns: transforms.text(e, ns).encode()
         if names.glove is not None:
             self.once[DESCRIPTION + first] = robot.description(names)
 
@@ -177,10 +179,6 @@ class _HandChannels:
         )
         known = self.encoders.keys() | self.once.keys()
         return [channel for channel in every if channel.id in known]
-
-
-def _json(message: object) -> bytes:
-    return json.dumps(message, allow_nan=False).encode()
 
 
 def _ros_channel(number: int, topic: str, name: str) -> Channel:

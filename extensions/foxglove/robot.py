@@ -6,19 +6,20 @@ std_msgs/String of ROS 2. Frames have the names of the model's links.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from extensions.foxglove.scene import FRAME, INTEGER, NUMBER, STRING, array_of, object_of, xyz
 from tracker.base.clock import ClockAnchor
-from tracker.geometry import so3
+from tracker.geometry.kernels import quats
 from tracker.messages import Estimate, Validity
 from tracker.session.description import SessionInfo
 from tracker.session.export.urdf import robot_description
 from tracker.session.ros import motion
-from tracker.streaming.payload import DECIMALS
 from tracker.streaming.publisher import Names
+from tracker.streaming.text import HOLE, TextForm, holes
 
 Json = dict[str, Any]
 
@@ -30,24 +31,36 @@ def joint_states(names: Names, e: Estimate, stamp_ns: int) -> bytes:
     return motion.pack_joints(motion.JointState(stamp_ns, rows, e.angles[known]))
 
 
-def frame_transforms(names: Names, e: Estimate, stamp_ns: int) -> Json:
-    """A foxglove.FrameTransforms of the segments that are known, in ``world``."""
-    known = np.flatnonzero(np.isfinite(e.segment_p).all(axis=1))
-    rotations = so3.quat_from_matrix(e.segment_R[known]) if len(known) else np.zeros((0, 4))
-    stamp = {"sec": stamp_ns // 10**9, "nsec": stamp_ns % 10**9}
-    segments = names.model.segment_names
-    return {
-        "transforms": [
-            {
-                "timestamp": stamp,
-                "parent_frame_id": FRAME,
-                "child_frame_id": f"{names.side}_{segments[i]}",
-                "translation": xyz(e.segment_p[i]),
-                "rotation": {a: round(v, DECIMALS) for a, v in zip("xyzw", q, strict=True)},
-            }
-            for i, q in zip(known, rotations.tolist(), strict=True)
-        ]
-    }
+class FrameTransforms:
+    """Texts of foxglove.FrameTransforms of a hand's segments in ``world``."""
+
+    def __init__(self, names: Names) -> None:
+        self._frames = [f"{names.side}_{segment}" for segment in names.model.segment_names]
+        self._forms: dict[bytes, TextForm] = {}  # by the segments that are known
+
+    def text(self, e: Estimate, stamp_ns: int) -> str:
+        known = np.isfinite(e.segment_p).all(axis=1)
+        rows, key = np.flatnonzero(known), known.tobytes()
+        if key not in self._forms:
+            self._forms[key] = TextForm(self._message(rows.tolist()))
+        sec, nsec = divmod(stamp_ns, 10**9)
+        flat = np.column_stack([e.segment_p[rows], quats(e.segment_R[rows])]).ravel()
+        return self._forms[key].fill(flat, [str(sec), str(nsec)] * len(rows))
+
+    def _message(self, rows: Sequence[int]) -> Json:
+        (poses,) = holes([(len(rows), 7)], None)
+        return {
+            "transforms": [
+                {
+                    "timestamp": {"sec": HOLE, "nsec": HOLE},
+                    "parent_frame_id": FRAME,
+                    "child_frame_id": self._frames[i],
+                    "translation": xyz(pose[:3]),
+                    "rotation": dict(zip("xyzw", pose[3:], strict=True)),
+                }
+                for i, pose in zip(rows, poses, strict=True)
+            ]
+        }
 
 
 def transforms_schema() -> Json:

@@ -9,6 +9,7 @@ A schema keeps to what Foxglove reads of JSON schema (parseJsonSchema.ts of its 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -16,12 +17,13 @@ import numpy as np
 from tracker.gestures.values import GESTURES
 from tracker.hand.names import bones
 from tracker.hand.openxr import JOINTS
-from tracker.messages import Array, Estimate, Validity
-from tracker.streaming.payload import DECIMALS
+from tracker.messages import Estimate, Validity
 from tracker.streaming.publisher import STATE_WORDS, Names
+from tracker.streaming.text import HOLE, Column, TextForm, holes
 
 Json = dict[str, Any]
 
+FORMS = 256  # scenes whose text is stored
 FRAME = "world"  # G, z up
 LIFETIME = {"sec": 1, "nsec": 0}  # of a hand in the view after the last estimate
 LINE_LIST = 2  # foxglove.LinePrimitive's type: points 0-1, 2-3, ...
@@ -41,26 +43,39 @@ class FoxgloveScene:
 
     def __init__(self, names: Names) -> None:
         self._names, self._bones = names, bones(names.keypoints)
+        self._forms: dict[tuple[object, ...], TextForm] = {}  # by what is known and its states
 
-    def update(self, e: Estimate, stamp_ns: int) -> Json:
+    def text(self, e: Estimate, stamp_ns: int) -> str:
         """``e`` as a scene; ``stamp_ns`` since 1970."""
+        known = np.isfinite(e.keypoints)
+        key = e.keypoint_state.tobytes(), known.tobytes(), e.tracking
+        if key not in self._forms:
+            if len(self._forms) == FORMS:
+                self._forms.clear()
+            (points,) = holes([e.keypoints.shape], known)
+            self._forms[key] = TextForm(self._update(e, points))
+        sec, nsec = divmod(stamp_ns, 10**9)
+        return self._forms[key].fill(e.keypoints.ravel(), [str(sec), str(nsec)])
+
+    def _update(self, e: Estimate, points: Column) -> Json:
+        """``points``: in place of those of ``e``."""
         states = [Validity(int(s)) for s in e.keypoint_state]
         words = (STATE_WORDS[s] for s in states)
         facts = [("tracking", e.tracking.name.lower())]
         facts += zip(self._names.keypoints, words, strict=True)
         entity = {
-            "timestamp": {"sec": stamp_ns // 10**9, "nsec": stamp_ns % 10**9},
+            "timestamp": {"sec": HOLE, "nsec": HOLE},
             "frame_id": FRAME,
             "id": f"hand {self._names.side}",
             "lifetime": LIFETIME,
             "frame_locked": False,
             "metadata": [{"key": key, "value": value} for key, value in facts],
-            "spheres": _spheres(e.keypoints, states),
-            "lines": self._lines(e.keypoints, states),
+            "spheres": _spheres(points, states),
+            "lines": self._lines(points, states),
         }
         return {"deletions": [], "entities": [entity]}
 
-    def _lines(self, points: Array, states: list[Validity]) -> list[Json]:
+    def _lines(self, points: Column, states: list[Validity]) -> list[Json]:
         """A bone is as sure as the less sure of its ends."""
         out = []
         for state, size in SIZE_M.items():
@@ -68,6 +83,7 @@ class FoxgloveScene:
                 xyz(points[i])
                 for bone in self._bones
                 if min(states[bone[0]], states[bone[1]]) == state
+                and None not in (points[bone[0]], points[bone[1]])
                 for i in bone
             ]
             look = {"type": LINE_LIST, "thickness": size / 2, "color": COLOURS[state]}
@@ -76,19 +92,19 @@ class FoxgloveScene:
         return out
 
 
-def _spheres(points: Array, states: list[Validity]) -> list[Json]:
+def _spheres(points: Column, states: list[Validity]) -> list[Json]:
     """One per keypoint that is known."""
     out = []
     for p, state in zip(points, states, strict=True):
-        if state == Validity.LOST or not np.isfinite(p).all():
+        if state == Validity.LOST or p is None:
             continue
         size = dict.fromkeys("xyz", SIZE_M[state])
         out.append({"pose": {"position": xyz(p)}, "size": size, "color": COLOURS[state]})
     return out
 
 
-def xyz(p: Array) -> dict[str, float]:
-    return {axis: round(v, DECIMALS) for axis, v in zip("xyz", p.tolist(), strict=True)}
+def xyz(p: Sequence[object]) -> dict[str, object]:
+    return dict(zip("xyz", p, strict=True))
 
 
 NUMBER = {"type": "number"}
@@ -136,7 +152,7 @@ def estimate_schema(names: Names) -> Json:
 
 
 def scene_schema() -> Json:
-    """JSON schema of the fields of foxglove.SceneUpdate that `FoxgloveScene.update` writes."""
+    """JSON schema of the fields of foxglove.SceneUpdate that `FoxgloveScene` writes."""
     stamp = {"sec": INTEGER, "nsec": INTEGER}
     axes = dict.fromkeys("xyz", NUMBER)
     vector, colour = object_of("foxglove.Vector3", **axes), dict.fromkeys("rgba", NUMBER)

@@ -10,6 +10,8 @@ without the wrist neither line, without a landmark only the wrist's.
 
 from __future__ import annotations
 
+import numpy as np
+
 from extensions.landmarks.lines import LineSender
 from extensions.landmarks.points import UNITY_OF_G, WRIST, Landmarks, landmarks_of
 from tracker.base.notices import Notice
@@ -18,6 +20,7 @@ from tracker.messages import Array, Estimate
 from tracker.streaming.publisher import Names
 
 DECIMALS = 6  # µm
+NUMBER = f", %.{DECIMALS}f"
 
 
 class HtsPublisher:
@@ -57,14 +60,14 @@ def hts_lines(e: Estimate, names: Names, numbered: bool) -> list[str]:
     side = names.side.title()
     out = [f"{side} wrist{meta}:{_numbers(_wrist(hand))}"]
     if hand.whole:
-        out.append(f"{side} landmarks{meta}:{_numbers(_local(hand).ravel().tolist())}")
+        out.append(f"{side} landmarks{meta}:{_numbers(_local(hand).ravel())}")
     return out
 
 
-def _wrist(hand: Landmarks) -> list[float]:
+def _wrist(hand: Landmarks) -> Array:
     """Position and quaternion in Unity's axes."""
     R = UNITY_OF_G @ hand.R_GB @ UNITY_OF_G.T
-    return [*(UNITY_OF_G @ hand.points[WRIST]).tolist(), *so3.quat_from_matrix(R).tolist()]
+    return np.concatenate([UNITY_OF_G @ hand.points[WRIST], so3.quat_from_matrix(R)])
 
 
 def _local(hand: Landmarks) -> Array:
@@ -73,5 +76,6 @@ def _local(hand: Landmarks) -> Array:
     return from_wrist
 
 
-def _numbers(values: list[float]) -> str:
-    return "".join(f", {round(x, DECIMALS) + 0.0:.{DECIMALS}f}" for x in values)  # no -0
+def _numbers(values: Array) -> str:
+    rounded = (np.round(values, DECIMALS) + 0.0).tolist()  # no -0
+    return NUMBER * len(rounded) % tuple(rounded)

@@ -13,21 +13,22 @@ away. The camera looks along G's x. landmarks are in its image: x and y from 0 t
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import numpy as np
 
 from extensions.landmarks.points import CAMERA_OF_G, WRIST, landmarks_of
+from glovetrack.conventions import MEDIAPIPE
 from tracker.base.notices import Notice, notice
 from tracker.messages import Array, Estimate
 from tracker.streaming.connection import StreamError
 from tracker.streaming.datagram import DatagramSocket
 from tracker.streaming.publisher import Names
+from tracker.streaming.text import HOLE, TextForm, holes
 
 ASPECT = 4 / 3
-DECIMALS = 6
 INDEX = {"left": 0, "right": 1}
 
 
@@ -57,8 +58,7 @@ class MediaPipePublisher:
         self._socket = DatagramSocket("mediapipe", host, port)
 
     def send(self, estimate: Estimate) -> None:
-        result = hand_result(estimate, self._names, self._view)
-        self._socket.send(json.dumps(result, separators=(",", ":"), allow_nan=False).encode())
+        self._socket.send(result_text(estimate, self._names, self._view).encode())
 
     def probe(self) -> Notice:
         return self._socket.probe(self.name)
@@ -67,25 +67,30 @@ class MediaPipePublisher:
         self._socket.close()
 
 
-def hand_result(e: Estimate, names: Names, view: ImaginedView) -> dict[str, Any]:
-    """A HandLandmarkerResult with this hand, or with none where a landmark is lost."""
-    hand = landmarks_of(e, names)
-    out: dict[str, Any] = {"timestampMs": round(1000 * e.t)}
+def result_text(e: Estimate, names: Names, view: ImaginedView) -> str:
+    """A HandLandmarkerResult as JSON with this hand, or with none where a landmark is lost."""
+    hand, stamp = landmarks_of(e, names), str(round(1000 * e.t))
     if not hand.whole:
-        return {**out, "landmarks": [], "worldLandmarks": [], "handednesses": []}
+        return _form(names.side, False).fill(np.zeros(0), [stamp])
     seen = hand.points @ CAMERA_OF_G.T
-    name = names.side.title()
-    category = {"score": 1.0, "index": INDEX[names.side], "categoryName": name, "displayName": name}
-    return {
-        **out,
-        "landmarks": [_points(view.project(seen))],
-        "worldLandmarks": [_points(seen - seen.mean(axis=0))],
-        "handednesses": [[category]],
-    }
+    points = np.concatenate([view.project(seen), seen - seen.mean(axis=0)])
+    return _form(names.side, True).fill(points.ravel(), [stamp])
 
 
-def _points(points: Array) -> list[dict[str, float]]:
-    return [
-        {axis: round(x, DECIMALS) for axis, x in zip("xyz", row, strict=True)}
-        for row in points.tolist()
-    ]
+@cache
+def _form(side: str, whole: bool) -> TextForm:
+    out: dict[str, Any] = {"timestampMs": HOLE}
+    if not whole:
+        return TextForm({**out, "landmarks": [], "worldLandmarks": [], "handednesses": []})
+    (points,) = holes([(2 * len(MEDIAPIPE), 3)], None)
+    landmarks = [dict(zip("xyz", point, strict=True)) for point in points]
+    name = side.title()
+    category = {"score": 1.0, "index": INDEX[side], "categoryName": name, "displayName": name}
+    return TextForm(
+        {
+            **out,
+            "landmarks": [landmarks[: len(MEDIAPIPE)]],
+            "worldLandmarks": [landmarks[len(MEDIAPIPE) :]],
+            "handednesses": [[category]],
+        }
+    )

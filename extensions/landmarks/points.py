@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -33,9 +34,14 @@ class Landmarks:
         return bool(np.isfinite(self.points).all())
 
 
+@lru_cache
+def _rows(keypoints: tuple[str, ...]) -> list[int]:
+    return [keypoints.index(n) for n in MEDIAPIPE]
+
+
 def landmarks_of(e: Estimate, names: Names) -> Landmarks:
     """For an estimate whose rows are ``names``."""
-    rows = [names.keypoints.index(n) for n in MEDIAPIPE]
+    rows = _rows(names.keypoints)
     lost = (e.keypoint_state[rows] == Validity.LOST)[:, None]
     wrist_q = e.keypoint_q[rows[WRIST]]
     R = np.full((3, 3), np.nan) if lost[WRIST] else so3.matrix_from_quat(wrist_q)

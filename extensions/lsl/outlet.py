@@ -18,12 +18,12 @@ from collections.abc import Callable
 import numpy as np
 import pylsl
 
-from tracker.gestures.recogniser import GestureRecogniser
 from tracker.gestures.values import GESTURES
 from tracker.hand.openxr import JOINTS
 from tracker.messages import Array, Estimate, Validity
 from tracker.streaming.payload import FIRST, LATEST, check_schema, moving_points, openxr_of
 from tracker.streaming.publisher import Names
+from tracker.streaming.shared import Gestures
 
 XYZ = ("x", "y", "z")
 QUATERNION = ("qx", "qy", "qz", "qw")
@@ -95,7 +95,7 @@ def channels(names: Names, schema: int = LATEST) -> list[tuple[str, str]]:
 def sample(
     e: Estimate,
     names: Names,
-    gestures: GestureRecogniser | None = None,
+    gestures: Gestures | None = None,
     schema: int = LATEST,
 ) -> list[float]:
     """One sample in the order of `channels`; NaN where lost. ``gestures`` is fed with it."""
@@ -123,7 +123,7 @@ def _motion(e: Estimate, names: Names) -> list[float]:
     return [*rows.ravel().tolist(), *angles.ravel().tolist()]
 
 
-def _gestures(e: Estimate, gestures: GestureRecogniser | None) -> list[float]:
+def _gestures(e: Estimate, gestures: Gestures | None) -> list[float]:
     """A value and whether it is shown, of each gesture."""
     if gestures is None:
         return []

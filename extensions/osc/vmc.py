@@ -17,16 +17,28 @@ rad/s: in Unity's world, or of OpenXR's joints in theirs.
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
+from functools import lru_cache
+
 import numpy as np
 
-from extensions.osc.encode import bundle, message
+from extensions.osc.encode import (
+    FLOAT,
+    INT,
+    OscTemplate,
+    Value,
+    bundle_of,
+    elements,
+    message,
+)
 from extensions.osc.vmc_pose import AvatarHand, unity_pose, unity_velocity
 from tracker.base.notices import Notice
-from tracker.gestures.recogniser import GestureRecogniser
+from tracker.gestures.values import GESTURES
 from tracker.hand.model import HandModel
 from tracker.hand.names import FINGERS
 from tracker.hand.openxr import JOINTS
-from tracker.messages import Array, Estimate, Tracking, Validity
+from tracker.messages import Estimate, IntArray, Tracking, Validity
 from tracker.streaming.datagram import DatagramSocket
 from tracker.streaming.payload import moving_points, openxr_of
 from tracker.streaming.publisher import STATE_WORDS, Names
@@ -36,6 +48,7 @@ STATE = "/Glovetrack/Bone/State"
 GESTURE = "/Glovetrack/Gesture"
 FRAME, VELOCITY = "/Glovetrack/Frame", "/Glovetrack/Velocity"
 OPENXR_JOINT = "/Glovetrack/OpenXR/Joint"
+TEMPLATES = 256  # for as many combinations of lost and known points
 PARTS = ("proximal", "intermediate", "distal")
 UNITY_BONES = {
     "thumb_metacarpal": "ThumbProximal",
@@ -59,13 +72,18 @@ class VmcPublisher:
         """``names``: of the estimates' rows, where OpenXR's joints or the velocities are sent."""
         self.name = f"VMC to {host}:{port}"
         self._hand, self._names, self._velocity = hand, names, velocity
-        self._gestures = GestureRecogniser(hand, names.keypoints) if names is not None else None
+        self._gestures = names.recogniser() if names is not None else None
         self._avatar = AvatarHand(hand)
+        self._segments = np.array(
+            [i for i, s in enumerate(hand.segments) if s.name in UNITY_BONES], int
+        )
+        """Rows of the segments that are bones of an avatar."""
         self._bones = [
-            (i, hand.side.title() + UNITY_BONES[s.name])
-            for i, s in enumerate(hand.segments)
-            if s.name in UNITY_BONES
+            hand.side.title() + UNITY_BONES[hand.segments[i].name] for i in self._segments
         ]
+        self._columns = _angle_columns(hand, self._segments)
+        self._wrist = hand.keypoint_names.index("wrist")
+        self._templates: dict[tuple[int, ...], OscTemplate] = {}  # by the states
         self._socket = DatagramSocket("VMC", host, port)
 
     def send(self, estimate: Estimate) -> None:
@@ -82,81 +100,101 @@ class VmcPublisher:
         self._socket.close()
 
     def _bundle(self, e: Estimate) -> bytes:
+        wrist, states = int(e.keypoint_state[self._wrist]), self._states(e)
+        known = self._segments[states != Validity.LOST]
+        key = (wrist, *states.tolist())
+        if key not in self._templates:
+            self._templates[key] = self._template(*key)
+        numbers = [np.array([e.t])]
+        if wrist != Validity.LOST:
+            numbers += unity_pose(e.keypoints[self._wrist], e.keypoint_q[self._wrist])
+        if len(known):
+            turned = self._avatar.rotations(known, e.angles)
+            numbers.append(np.column_stack([self._avatar.offsets[known], turned]).ravel())
+        values, shown = self._gesture_values(e)
         tracked = int(e.tracking in (Tracking.TRACKING, Tracking.COASTING))
-        out = [
-            message("/VMC/Ext/OK", 1, CALIBRATED, NORMAL_MODE, tracked),
-            message("/VMC/Ext/T", float(e.t)),
-            *self._hand_messages(e),
-        ]
-        states = [self._state(e, i) for i, _ in self._bones]
-        known = [i for (i, _), s in zip(self._bones, states, strict=True) if s != Validity.LOST]
-        rotations = self._avatar.rotations(known, e.angles).tolist() if known else []
-        turned = dict(zip(known, rotations, strict=True))
-        for (i, bone), state in zip(self._bones, states, strict=True):
-            out.append(message(STATE, bone, STATE_WORDS[state]))
-            if i in turned:
-                pose = [*self._avatar.offsets[i].tolist(), *turned[i]]
-                out.append(message("/VMC/Ext/Bone/Pos", bone, *pose))
-        return bundle([*out, *self._gesture_messages(e)])
+        template = self._templates[key]
+        return bundle_of(template.pack(np.concatenate([*numbers, values]), [tracked, *shown]))
 
-    def _gesture_messages(self, e: Estimate) -> list[bytes]:
+    def _template(self, wrist: int, *bones: int) -> OscTemplate:
+        """The messages where wrist and bones have these states."""
+        serial, pose = f"glovetrack-{self._hand.side}", [FLOAT] * 7
+        out: list[tuple[str, Sequence[Value]]] = [
+            ("/VMC/Ext/OK", [1, CALIBRATED, NORMAL_MODE, INT]),
+            ("/VMC/Ext/T", [FLOAT]),
+            (STATE, [serial, STATE_WORDS[Validity(wrist)]]),
+        ]
+        if wrist != Validity.LOST:
+            out.append(("/VMC/Ext/Tra/Pos", [serial, *pose]))
+        for name, state in zip(self._bones, bones, strict=True):
+            out.append((STATE, [name, STATE_WORDS[Validity(state)]]))
+            if state != Validity.LOST:
+                out.append(("/VMC/Ext/Bone/Pos", [name, *pose]))
+        names = GESTURES if self._gestures is not None else ()
+        return OscTemplate([*out, *((GESTURE, [name, FLOAT, INT]) for name in names)])
+
+    def _gesture_values(self, e: Estimate) -> tuple[list[float], list[int]]:
         """Each gesture's value, 0 where it is lost, and whether it is shown."""
         if self._gestures is None:
-            return []
+            return [], []
         self._gestures.feed(e)
-        return [
-            message(GESTURE, name, float(np.nan_to_num(value)), int(name in self._gestures.active))
-            for name, value in self._gestures.values.items()
-        ]
+        shown, found = self._gestures.active, self._gestures.values
+        values = [0.0 if math.isnan(found[name]) else found[name] for name in GESTURES]
+        return values, [int(name in shown) for name in GESTURES]
 
-    def _hand_messages(self, e: Estimate) -> list[bytes]:
-        """The wrist as a tracker, where it is known."""
-        wrist = self._hand.keypoint_names.index("wrist")
-        state = Validity(int(e.keypoint_state[wrist]))
-        serial = f"glovetrack-{self._hand.side}"
-        out = [message(STATE, serial, STATE_WORDS[state])]
-        if state != Validity.LOST:
-            pose = _pose(*unity_pose(e.keypoints[wrist], e.keypoint_q[wrist]))
-            out.append(message("/VMC/Ext/Tra/Pos", serial, *pose))
-        return out
+    def _states(self, e: Estimate) -> IntArray:
+        """For each bone: that of its joint's worst angle; lost where it has none."""
+        known = np.where(np.isfinite(e.angles), e.angle_state, int(Validity.LOST))
+        ends = [int(Validity.LOST), int(Validity.MEASURED)]  # see _angle_columns
+        return np.asarray(np.append(known, ends)[self._columns].min(axis=1))
 
-    def _state(self, e: Estimate, segment: int) -> Validity:
-        """For a bone: that of its joint's worst angle."""
-        columns = [c for c in self._hand.axis_columns[segment] if c >= 0]
-        if not columns or not np.isfinite(e.angles[columns]).all():
-            return Validity.LOST
-        return Validity(int(e.angle_state[columns].min()))
+
+def _angle_columns(hand: HandModel, segments: IntArray) -> IntArray:
+    """(n, 3) columns of each segment's angles; -1 for an axis that is fixed, and -2 where all
+    are."""
+    out = np.array([hand.axis_columns[i] for i in segments], int)
+    out[(out < 0).all(axis=1)] = -2
+    return out
 
 
 def openxr_bundle(e: Estimate, names: Names) -> bytes:
     """OpenXR's 26 joints as one OSC bundle; a lost joint has its name and state alone."""
-    hand, out = openxr_of(e, names), []
-    for i, joint in enumerate(JOINTS):
-        state = Validity(int(hand.state[i]))
-        pose = [*_pose(hand.position[i], hand.orientation[i]), float(hand.radius[i])]
-        out.append(
-            message(
-                OPENXR_JOINT, joint, *([] if state == Validity.LOST else pose), STATE_WORDS[state]
+    hand = openxr_of(e, names)
+    known = hand.state != Validity.LOST
+    numbers = np.column_stack([hand.position, hand.orientation, hand.radius])[known]
+    return bundle_of(_openxr_template(tuple(hand.state.tolist())).pack(numbers.ravel()))
+
+
+@lru_cache(maxsize=TEMPLATES)
+def _openxr_template(states: tuple[int, ...]) -> OscTemplate:
+    pose = [FLOAT] * 8
+    return OscTemplate(
+        [
+            (
+                OPENXR_JOINT,
+                [joint, *([] if state == Validity.LOST else pose), STATE_WORDS[Validity(state)]],
             )
-        )
-    return bundle(out)
+            for joint, state in zip(JOINTS, states, strict=True)
+        ]
+    )
 
 
 def velocity_bundle(e: Estimate, names: Names) -> bytes:
     """Number, instant and velocities as one OSC bundle; what is lost is left out."""
-    out = [message(FRAME, names.side, e.seq, names.wall_ns(e.t) or 0)]
+    frame = elements([message(FRAME, names.side, e.seq, names.wall_ns(e.t) or 0)])
     moving = moving_points(e, names)
     if moving is None:
-        return bundle(out)
+        return bundle_of(frame)
     linear, angular = moving.linear, moving.angular
     if not names.openxr:
         linear, angular = unity_velocity(linear, angular)
     rows = np.column_stack([linear, angular, moving.linear_sd, moving.angular_sd])
-    for name, row in zip(JOINTS if names.openxr else names.keypoints, rows, strict=True):
-        if np.isfinite(row).all():
-            out.append(message(VELOCITY, name, *row.tolist()))
-    return bundle(out)
+    known = np.isfinite(rows).all(axis=1)
+    listed = np.array(JOINTS if names.openxr else names.keypoints)
+    template = _velocity_template(tuple(listed[known].tolist()))
+    return bundle_of(frame, template.pack(rows[known].ravel()))
 
 
-def _pose(p: Array, q: Array) -> list[float]:
-    return [*p.tolist(), *q.tolist()]
+@lru_cache(maxsize=TEMPLATES)
+def _velocity_template(points: tuple[str, ...]) -> OscTemplate:
+    return OscTemplate([(VELOCITY, [name, *[FLOAT] * 8]) for name in points])

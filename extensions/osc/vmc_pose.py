@@ -37,7 +37,7 @@ class AvatarHand:
     """
 
     def __init__(self, hand: HandModel) -> None:
-        self._hand = hand
+        self._columns = np.array(hand.axis_columns)  # (S, 3), -1 for none
         M = M_AVATAR[hand.side]
         rest, _ = hand.forward(np.zeros(len(hand.joint_names)), np.eye(3), np.zeros(3))
         self._axes = M @ rest  # (S, 3, 3): B's axes in Unity's, in the T-pose
@@ -48,10 +48,28 @@ class AvatarHand:
                 self.offsets[i] = self._axes[hand.parent[i]] @ segment.origin
 
     def rotations(self, bones: Sequence[int], angles: Array) -> Array:
-        """Local rotations (n, 4) xyzw of the segments ``bones`` from joint angles (J,) rad."""
-        J = np.array([self._hand.joint_rotation(i, angles) for i in bones])
-        A = self._axes[list(bones)]
-        return quaternions(A @ J @ np.swapaxes(A, 1, 2))
+        """Local rotations (n, 4) xyzw, w ≥ 0, of the segments ``bones`` from angles (J,) rad.
+
+        A J A^T turns about the axis of J in Unity's axes, the other way since A changes handedness.
+        """
+        rows = list(bones)
+        half = np.append(angles, 0.0)[self._columns[rows]] / 2  # a missing joint does not turn
+        q = _zyx(np.sin(half), np.cos(half))
+        q[:, :3] = -np.einsum("nij,nj->ni", self._axes[rows], q[:, :3])
+        return np.where(q[:, 3:] < 0, -q, q)
+
+
+def _zyx(s: Array, c: Array) -> Array:
+    """(n, 4) quaternions xyzw of Rz Ry Rx from sines and cosines (n, 3) of half their angles."""
+    (sz, sy, sx), (cz, cy, cx) = s.T, c.T
+    return np.column_stack(
+        [
+            cz * cy * sx - sz * sy * cx,
+            cz * sy * cx + sz * cy * sx,
+            sz * cy * cx - cz * sy * sx,
+            cz * cy * cx + sz * sy * sx,
+        ]
+    )
 
 
 def quaternions(R: Array) -> Array:

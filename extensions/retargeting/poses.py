@@ -13,6 +13,7 @@ the tip, y out of the back of the hand. Position and ``sd`` (of the position, pe
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -20,6 +21,7 @@ import numpy as np
 from glovetrack.conventions import MEDIAPIPE, operator_frame
 from tracker.base.notices import Notice, notice
 from tracker.geometry import so3
+from tracker.geometry.kernels import quats
 from tracker.hand.openxr import (
     JOINTS,
     KEYPOINT_OF,
@@ -30,10 +32,12 @@ from tracker.hand.openxr import (
 )
 from tracker.messages import Array, Estimate, IntArray, Validity
 from tracker.streaming.datagram import DatagramSocket
-from tracker.streaming.payload import DECIMALS, encoded, openxr_of
+from tracker.streaming.payload import encoded, openxr_of
 from tracker.streaming.publisher import STATE_WORDS, Names, StreamError
+from tracker.streaming.text import HOLE, Column, TextForm, holes
 
 SCHEMA = 1
+FORMS = 256  # of messages whose text is stored
 _JOINT_OF = {keypoint: joint for joint, keypoint in KEYPOINT_OF.items()}
 TIPS = ("wrist", *(j for j in JOINTS if j.endswith("_tip")))
 LANDMARKS = tuple(_JOINT_OF[k] for k in MEDIAPIPE)
@@ -95,41 +99,58 @@ def _frame(hand: OpenXrHand, R: Array, frame: str) -> tuple[Array, Array]:
     return operator_frame(hand.position[_LANDMARK_ROWS] - origin, R[WRIST] @ R_BX.T).T, origin
 
 
-def pose_message(e: Estimate, names: Names, view: PoseView) -> dict[str, Any]:
-    """The message as JSON-ready objects."""
-    poses = poses_of(e, names, view.frame)
-    return {
-        "schema": SCHEMA,
-        "side": names.side,
-        "seq": None if e.seq < 0 else e.seq,
-        "t": e.t,
-        "t_unix_ns": names.wall_ns(e.t),
-        "tracking": e.tracking.name.lower(),
-        "frame": view.frame,
-        "poses": {JOINTS[i]: _pose(poses, i, view.matrix) for i in _ROWS[view.joints]},
+def pose_text(e: Estimate, names: Names, view: PoseView) -> str:
+    """The message as JSON."""
+    poses, rows = poses_of(e, names, view.frame), _ROWS[view.joints]
+    R, p = poses.R[rows], poses.p[rows]
+    columns = [p, quats(R) + 0.0, poses.sd[rows]]
+    if view.matrix:
+        columns.append(np.concatenate([R, p[:, :, None]], axis=2).reshape(len(rows), 12))
+    flat = np.column_stack(columns).ravel() + 0.0  # no -0
+    seq = None if e.seq < 0 else e.seq
+    head = [encoded(x) for x in (seq, e.t, names.wall_ns(e.t))]
+    states = tuple(poses.state[rows].tolist())
+    known = np.isfinite(poses.sd[rows])
+    form = _form(names.side, e.tracking.name.lower(), view, states, tuple(known.tolist()))
+    return form.fill(flat, head)
+
+
+@lru_cache(maxsize=FORMS)
+def _form(
+    side: str, tracking: str, view: PoseView, states: tuple[int, ...], known: tuple[bool, ...]
+) -> TextForm:
+    """``states`` of the poses, and whether their sd is ``known``."""
+    size = 20 if view.matrix else 8
+    (rows,) = holes([(len(states), size)], None)
+    names = [JOINTS[i] for i in _ROWS[view.joints]]
+    poses = {
+        name: _pose(Validity(state), row if state != Validity.LOST else None, k, view.matrix)
+        for name, state, row, k in zip(names, states, rows, known, strict=True)
     }
+    return TextForm(
+        {
+            "schema": SCHEMA,
+            "side": side,
+            "seq": HOLE,
+            "t": HOLE,
+            "t_unix_ns": HOLE,
+            "tracking": tracking,
+            "frame": view.frame,
+            "poses": poses,
+        }
+    )
 
 
-def _pose(poses: KeyedPoses, i: int, matrix: bool) -> dict[str, Any]:
-    state = Validity(int(poses.state[i]))
+def _pose(state: Validity, row: Column | None, known: bool, matrix: bool) -> dict[str, Any]:
+    """``row``: position, quaternion, sd and perhaps three rows of a matrix; None where lost."""
     out: dict[str, Any] = {"state": STATE_WORDS[state]}
-    if state == Validity.LOST:
+    if row is None:
         out |= {"position": None, "orientation_xyzw": None, "sd": None}
         return {**out, "matrix": None} if matrix else out
-    R, p, sd = poses.R[i], poses.p[i], float(poses.sd[i])
-    out |= {
-        "position": _numbers(p),
-        "orientation_xyzw": _numbers(so3.quat_from_matrix(R)),
-        "sd": round(sd, DECIMALS) if np.isfinite(sd) else None,
-    }
+    out |= {"position": row[:3], "orientation_xyzw": row[3:7], "sd": row[7] if known else None}
     if matrix:
-        rows = np.vstack([np.column_stack([R, p]), [0.0, 0.0, 0.0, 1.0]])
-        out["matrix"] = [_numbers(row) for row in rows]
+        out["matrix"] = [row[8:12], row[12:16], row[16:20], [0.0, 0.0, 0.0, 1.0]]
     return out
-
-
-def _numbers(values: Array) -> list[float]:
-    return [round(v, DECIMALS) + 0.0 for v in values.tolist()]  # no -0
 
 
 class PosePublisher:
@@ -141,7 +162,7 @@ class PosePublisher:
         self._socket = DatagramSocket("poses", host, port)
 
     def send(self, estimate: Estimate) -> None:
-        self._socket.send(encoded(pose_message(estimate, self._names, self._view)).encode())
+        self._socket.send(pose_text(estimate, self._names, self._view).encode())
 
     def probe(self) -> Notice:
         return self._socket.probe(self.name)

@@ -8,12 +8,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from tracker.base.notices import notice
-from tracker.gestures.recogniser import GestureRecogniser
 from tracker.gestures.values import GESTURES
 from tracker.hand.model import HandModel
 from tracker.hand.names import CHAINS
 from tracker.messages import Array, Estimate
 from tracker.streaming.connection import StreamError
+from tracker.streaming.publisher import Names
+from tracker.streaming.shared import Gestures
 
 JOINT_NAMES = {
     finger: ("cmc", "mcp", "ip") if finger == "thumb" else ("mcp", "pip", "dip")
@@ -61,15 +62,14 @@ class Controls:
 class ControlReader:
     """Controls from the estimates of one hand, in order."""
 
-    def __init__(
-        self, hand: HandModel, recogniser: GestureRecogniser, gestures: ButtonGestures
-    ) -> None:
+    def __init__(self, hand: HandModel, recogniser: Gestures, gestures: ButtonGestures) -> None:
         self._gestures, self._recogniser = gestures, recogniser
-        self._limits = hand.angle_limits
         at = hand.angle_index
         self._flexion = np.array(
             [[at[f"{f}_{j}_flexion"] for j in joints] for f, joints in JOINT_NAMES.items()]
         )
+        self._low = np.maximum(hand.angle_limits[self._flexion, 0], 0.0)
+        self._range = hand.angle_limits[self._flexion, 1] - self._low
         self._splay = [at[f"{f}_{'cmc' if f == 'thumb' else 'mcp'}_abduction"] for f in JOINT_NAMES]
 
     def read(self, e: Estimate) -> Controls:
@@ -77,8 +77,7 @@ class ControlReader:
         self._recogniser.feed(e)
         values, shown = self._recogniser.values, self._recogniser.active
         g = self._gestures
-        low, high = np.maximum(self._limits[self._flexion, 0], 0.0), self._limits[self._flexion, 1]
-        flexion = np.clip((e.angles[self._flexion] - low) / (high - low), 0.0, 1.0)
+        flexion = np.clip((e.angles[self._flexion] - self._low) / self._range, 0.0, 1.0)
         splay = np.clip(e.angles[self._splay] / MOST_SPLAY, -1.0, 1.0)
         return Controls(
             _value(values.get(g.trigger, 0.0)),
@@ -90,6 +89,13 @@ class ControlReader:
             flexion,
             splay,
         )
+
+
+def control_reader(names: Names, gestures: ButtonGestures) -> ControlReader:
+    """For one output of a hand. Raises ValueError for names without a hand."""
+    hand, recogniser = names.model, names.recogniser()
+    assert recogniser is not None  # since there is a hand
+    return ControlReader(hand, recogniser, gestures)
 
 
 def _value(x: float) -> float:

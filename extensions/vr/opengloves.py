@@ -17,9 +17,8 @@ from pathlib import Path
 
 import numpy as np
 
-from extensions.vr.buttons import ButtonGestures, ControlReader, Controls
+from extensions.vr.buttons import ButtonGestures, Controls, control_reader
 from tracker.base.notices import Notice, failure, notice
-from tracker.gestures.recogniser import GestureRecogniser
 from tracker.messages import Array, Estimate
 from tracker.streaming.connection import StreamError
 from tracker.streaming.publisher import Names
@@ -32,10 +31,6 @@ DIGITS = "ABCDE"  # thumb to little finger
 ROW = np.array([[0, 1, 2, 2], *([[0, 0, 1, 2]] * 4)])
 """For each digit, of `Controls.flexion` what each of the driver's four joints takes: the thumb's
 fourth does not exist, and a finger's first is its metacarpal, which bends with the knuckle."""
-
-
-def control_reader(names: Names, gestures: ButtonGestures) -> ControlReader:
-    return ControlReader(names.model, GestureRecogniser(names.model, names.keypoints), gestures)
 
 
 def joints_of(controls: Controls) -> Array:

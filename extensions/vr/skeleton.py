@@ -8,8 +8,8 @@ Sources: github.com/ValveSoftware/openvr/wiki/Hand-Skeleton and the reference po
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -17,11 +17,25 @@ from extensions.osc.vmc_pose import quaternions
 from tracker.geometry import so3
 from tracker.hand.names import CHAINS
 from tracker.hand.openxr import JOINTS, WRIST, OpenXrHand
-from tracker.messages import Array, Validity
+from tracker.messages import Array, IntArray, Validity
 
 ROOT, WRIST_BONE, BONES = 0, 1, 31
 DIGITS = {f: [j for j in JOINTS if j.startswith(f"{f}_")] for f in CHAINS}
 """OpenXR's joints of each digit, base first: the bones of the digit, in OpenVR's order."""
+
+_LENGTHS = [len(joints) for joints in DIGITS.values()]
+_FIRST = 2 + np.cumsum([0, *_LENGTHS[:-1]])  # the first bone of each digit
+PARENT = np.array(
+    [
+        *(ROOT, ROOT),
+        *(WRIST_BONE if k in _FIRST else k - 1 for k in range(2, 2 + sum(_LENGTHS))),
+        *[ROOT] * len(DIGITS),
+    ]
+)
+"""For each bone, the one to which it is relative."""
+SOURCE = np.array([*range(2 + sum(_LENGTHS)), *(_FIRST + _LENGTHS - 2)])
+"""For each bone, the one whose pose it has: an auxiliary one repeats its digit's last joint before
+the tip."""
 
 # Columns: a bone's x, y, z in the axes of OpenXR's joint (-z to the tip, y out of the back).
 A_BONE = {
@@ -50,16 +64,10 @@ class RigidMotion:
     def inverse(self) -> RigidMotion:
         return RigidMotion(self.R.T, -(self.R.T @ self.p))
 
-    def in_unity(self) -> tuple[Array, Array]:
-        """Position and quaternion (4,) xyzw in Unity's axes, of a pose in OpenVR's."""
-        (row,) = in_unity([self])
-        return row[:3], row[3:]
 
-
-def in_unity(poses: Sequence[RigidMotion]) -> Array:
-    """(n, 7) positions and quaternions xyzw in Unity's axes, of poses in OpenVR's."""
-    R = np.array([pose.R for pose in poses])
-    p = np.array([pose.p for pose in poses])
+def in_unity(R: Array, p: Array) -> Array:
+    """(n, 7) positions and quaternions xyzw in Unity's axes, of poses R (n, 3, 3) and p (n, 3) in
+    OpenVR's."""
     return np.column_stack([p @ MIRROR_Z, quaternions(MIRROR_Z @ R @ MIRROR_Z)])
 
 
@@ -76,14 +84,22 @@ def _held(side: str) -> RigidMotion:
 HELD = {side: _held(side) for side in ("left", "right")}
 
 
+class Bones(NamedTuple):
+    """The bones that are known, by number: R (n, 3, 3) and p (n, 3) m, relative to their parents;
+    the parent of the root, the wrist and the auxiliary bones is the device."""
+
+    numbers: IntArray
+    R: Array
+    p: Array
+
+
 class BoneSkeleton:
     """Bones of one hand. A ``controller`` device stands where an Index controller would be in the
     hand; otherwise it has the pose of the wrist: -z to the fingers, y out of the back."""
 
     def __init__(self, side: str, controller: bool) -> None:
         self._side, self._controller = side, controller
-        self._order = [j for joints in DIGITS.values() for j in joints]
-        self._rows = np.array([JOINTS.index(j) for j in self._order])
+        self._rows = np.array([JOINTS.index(j) for joints in DIGITS.values() for j in joints])
 
     def device(self, joints: OpenXrHand) -> RigidMotion | None:
         """Where the device is in OpenVR's world; None where the wrist is lost."""
@@ -97,23 +113,16 @@ class BoneSkeleton:
     def _wrist_bone(self, wrist: RigidMotion) -> RigidMotion:
         return RigidMotion(wrist.R @ A_WRIST[self._side], wrist.p)
 
-    def bones(self, joints: OpenXrHand, device: RigidMotion) -> dict[int, RigidMotion]:
-        """Each bone that is known, relative to its parent; the root is the ``device``."""
-        R = so3.matrix_from_quat(joints.orientation[self._rows]) @ A_BONE[self._side]
-        p, known = joints.position[self._rows], joints.state[self._rows] != Validity.LOST
-        wrist = self._wrist_bone(
-            RigidMotion(so3.matrix_from_quat(joints.orientation[WRIST]), joints.position[WRIST])
-        )
-        out = {ROOT: RigidMotion(np.eye(3), np.zeros(3)), WRIST_BONE: device.inverse @ wrist}
-        row = 0
-        for digit, listed in enumerate(DIGITS.values()):
-            parent: RigidMotion | None = wrist
-            for _ in listed:
-                bone = RigidMotion(R[row], p[row]) if known[row] else None
-                if bone is not None and parent is not None:
-                    out[2 + row] = parent.inverse @ bone
-                parent, row = bone, row + 1
-            last = row - 2  # the last joint before the tip, which an auxiliary bone repeats
-            if known[last]:
-                out[26 + digit] = device.inverse @ RigidMotion(R[last], p[last])
-        return out
+    def bones(self, joints: OpenXrHand, device: RigidMotion) -> Bones:
+        """Each bone that is known and whose parent is."""
+        R_joints = so3.matrix_from_quat(joints.orientation[[WRIST, *self._rows]])
+        wrist = self._wrist_bone(RigidMotion(R_joints[0], joints.position[WRIST]))
+        R = np.concatenate([[device.R, wrist.R], R_joints[1:] @ A_BONE[self._side]])
+        p = np.concatenate([[device.p, wrist.p], joints.position[self._rows]])
+        known = np.concatenate([[True, True], joints.state[self._rows] != Validity.LOST])
+        R, p, known = R[SOURCE], p[SOURCE], known[SOURCE]
+        found = np.flatnonzero(known & known[PARENT])
+        parents = PARENT[found]
+        back = np.swapaxes(R[parents], 1, 2)
+        relative = np.einsum("nij,nj->ni", back, p[found] - p[parents])
+        return Bones(found, back @ R[found], relative)

@@ -11,15 +11,18 @@ import contextlib
 import math
 import socket
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass
+
+import numpy as np
 
 from extensions.osc import decode
 from extensions.osc.decode import OscError
-from extensions.osc.encode import bundle, message
-from extensions.vr.buttons import ButtonGestures, ControlReader, Controls
+from extensions.osc.encode import FLOAT, OscTemplate, bundle_of, elements, message
+from extensions.vr.buttons import ButtonGestures, Controls, control_reader
 from extensions.vr.skeleton import BoneSkeleton, RigidMotion, in_unity
 from tracker.base.notices import Notice, notice
-from tracker.gestures.recogniser import GestureRecogniser
+from tracker.hand.openxr import OpenXrHand
 from tracker.messages import Estimate
 from tracker.streaming.connection import LOOPBACK, StreamError
 from tracker.streaming.datagram import DatagramSocket
@@ -60,8 +63,8 @@ class VmtPublisher:
         self._names = names if names.openxr else names.with_openxr()
         self._device = device.index
         self._skeleton = BoneSkeleton(names.side, device.controller)
-        recogniser = GestureRecogniser(names.model, names.keypoints)
-        self._controls = ControlReader(names.model, recogniser, gestures)
+        self._controls = control_reader(names, gestures)
+        self._templates: dict[bytes, OscTemplate] = {}  # by the bones that are known
         self._socket = DatagramSocket("VMT", host, port)
 
     def send(self, estimate: Estimate) -> None:
@@ -84,17 +87,29 @@ class VmtPublisher:
         self._socket.close()
 
     def _bundle(self, e: Estimate) -> bytes:
-        out, joints = [], openxr_of(e, self._names)
+        joints = openxr_of(e, self._names)
         device = self._skeleton.device(joints)
-        if device is not None:
-            mode = MODE[self._names.side]
-            out.append(message("/VMT/Room/Unity", self._device, mode, NOW, *_numbers(device)))
-            bones = self._skeleton.bones(joints, device)
-            poses = in_unity(list(bones.values())).tolist()
-            for bone, pose in zip(bones, poses, strict=True):
-                out.append(message("/VMT/Skeleton/Unity", self._device, bone, *pose))
-            out.append(message("/VMT/Skeleton/Apply", self._device, NOW))
-        return bundle([*out, *self._inputs(self._controls.read(e))])
+        inputs = elements(self._inputs(self._controls.read(e)))
+        return bundle_of(inputs if device is None else self._poses(joints, device) + inputs)
+
+    def _poses(self, joints: OpenXrHand, device: RigidMotion) -> bytes:
+        bones = self._skeleton.bones(joints, device)
+        key = bones.numbers.tobytes()
+        if key not in self._templates:
+            self._templates[key] = self._template(bones.numbers.tolist())
+        R, p = np.concatenate([device.R[None], bones.R]), np.concatenate([device.p[None], bones.p])
+        return self._templates[key].pack(in_unity(R, p).ravel())
+
+    def _template(self, bones: Sequence[int]) -> OscTemplate:
+        """Messages for the device and the bones of these numbers."""
+        pose, device = [FLOAT] * 7, self._device
+        return OscTemplate(
+            [
+                ("/VMT/Room/Unity", [device, MODE[self._names.side], NOW, *pose]),
+                *(("/VMT/Skeleton/Unity", [device, bone, *pose]) for bone in bones),
+                ("/VMT/Skeleton/Apply", [device, NOW]),
+            ]
+        )
 
     def _inputs(self, c: Controls) -> list[bytes]:
         fingers = zip(range(FIRST_FINGER, FIRST_FINGER + 4), c.curls[1:].tolist(), strict=True)
@@ -127,9 +142,3 @@ def driver_version(port: int = ANSWER_PORT, patience: float = ALIVE_WAIT) -> str
         except OSError:
             return None
     return None
-
-
-def _numbers(pose: RigidMotion) -> list[float]:
-    """Position and quaternion in Unity's axes."""
-    p, q = pose.in_unity()
-    return [*p.tolist(), *q.tolist()]

@@ -4,22 +4,31 @@ from __future__ import annotations
 
 import contextlib
 import os
+import pickle
 import threading
+from collections.abc import Sequence
+from dataclasses import fields, replace
 from functools import partial
 from multiprocessing.connection import Connection
 from typing import Any
 
 from tracker.base.errors import notice_of
 from tracker.base.notices import Notice
+from tracker.hand.model import HandModel
 from tracker.messages import Estimate
 from tracker.streaming.apart_messages import Answered, Asked, Counted, Reported, Sent
-from tracker.streaming.publisher import Publisher
+from tracker.streaming.publisher import Names, Publisher
 from tracker.streaming.registry import STREAMS, close_all, open_stream
 from tracker.streaming.streams import Streams, delivery
 
 COUNT_EVERY = 0.5  # s
 NICE = 5
 CLOSE_WAIT = 10.0  # s to send what is queued, on a loaded computer; then the port is free
+
+
+def _definition(hand: HandModel | None) -> list[Any]:
+    """The fields of a hand, without what it has computed from them."""
+    return [getattr(hand, f.name) for f in fields(HandModel)] if hand is not None else []
 
 
 def serve(pipe: Connection) -> None:
@@ -64,6 +73,7 @@ class _Desk:
         self._pipe, self._sending = pipe, threading.Lock()
         self._open: dict[int, _Open] = {}  # replaced, never changed
         self._changing = threading.Lock()
+        self._hands: dict[bytes, Names] = {}
         self._ended = threading.Event()
         threading.Thread(target=self._count, name="glovetrack-counts", daemon=True).start()
 
@@ -96,10 +106,20 @@ class _Desk:
 
     def _make(self, key: int, data: Any) -> list[str]:
         kind, options, hands = data
-        publishers = open_stream(STREAMS.get(kind), options, hands)
+        publishers = open_stream(STREAMS.get(kind), options, self._sharing(hands))
         with self._changing:
             self._open = {**self._open, key: _Open(publishers)}
         return [publisher.name for publisher in publishers]
+
+    def _sharing(self, hands: Sequence[Names]) -> list[Names]:
+        """The same hands of several streams share what is recognized of them."""
+        out = []
+        with self._changing:
+            for names in hands:
+                key = pickle.dumps((names.side, names.keypoints, _definition(names.hand)))
+                known = self._hands.setdefault(key, names.sharing())
+                out.append(replace(names, shared=known.shared))
+        return out
 
     def _start(self, key: int, _data: Any) -> None:
         stream = self._open[key]

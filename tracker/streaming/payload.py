@@ -32,54 +32,74 @@ Schema.
 from __future__ import annotations
 
 import json
-from typing import Any
+from collections.abc import Iterator, Sequence
+from functools import lru_cache
+from itertools import islice
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tracker.base.notices import notice
-from tracker.gestures.recogniser import GestureRecogniser
 from tracker.hand.openxr import JOINTS, OpenXrHand, PointMotion, openxr_motion, to_openxr
-from tracker.messages import Array, Estimate, Validity
+from tracker.messages import Array, Estimate, IntArray, Validity
 from tracker.streaming.publisher import STATE_WORDS, Names, StreamError
+from tracker.streaming.shared import Gestures, RecentResults
+from tracker.streaming.text import DECIMALS as DECIMALS
+from tracker.streaming.text import (
+    HOLE,
+    Column,
+    TextForm,
+    holes,
+    numbers,
+)
 
 BoolArray = NDArray[np.bool_]
 SCHEMAS = FIRST, LATEST = 1, 2
-DECIMALS = 6  # µm and µrad: below every error of a hand tracker, and half the bytes of a double
+_RECENT_JOINTS: RecentResults[OpenXrHand] = RecentResults(8)
+VELOCITY_KEYS = ("linear", "angular", "sd", "angular_sd")
+ANGLE_KEYS = ("value", "sd", "rate", "rate_sd")
+FORMS = 256  # of messages whose text is stored
 
 
 def payload(
     estimate: Estimate,
     names: Names,
-    gestures: GestureRecogniser | None = None,
+    gestures: Gestures | None = None,
     schema: int = FIRST,
 ) -> dict[str, Any]:
     """The message as JSON-ready objects; ``gestures`` has been fed with the estimate."""
-    first = schema == FIRST
-    joints = openxr_of(estimate, names) if names.openxr else None
-    return {
-        "schema": schema,
-        "side": names.side,
-        **({} if first else _numbered(estimate, names)),
-        "t": estimate.t,
-        "tracking": estimate.tracking.name.lower(),
-        **_points(estimate, names, joints),
-        **({} if first else {"velocity": _velocities(estimate, names, joints)}),
-        "angles": _angles(estimate, names, schema),
-        **({} if gestures is None else {"gestures": _gestures(gestures)}),
-    }
+    content = _content(estimate, names, gestures, schema)
+    head = [estimate.t] if schema == FIRST else [*_numbered(estimate, names), estimate.t]
+    return _message(content.form, head, [numbers(values) for values in content.columns])
+
+
+def text_of(
+    estimate: Estimate,
+    names: Names,
+    gestures: Gestures | None = None,
+    schema: int = FIRST,
+) -> str:
+    """`payload` as strict JSON without spaces (no NaN)."""
+    content = _content(estimate, names, gestures, schema)
+    flat = np.concatenate([column.ravel() for column in content.columns])
+    known = np.isfinite(flat)
+    shapes = tuple(column.shape for column in content.columns)
+    form = _text_form(content.form, shapes, b"" if known.all() else known.tobytes())
+    head = [] if schema == FIRST else [encoded(x) for x in _numbered(estimate, names)]
+    return form.fill(flat, [*head, encoded(estimate.t)])
 
 
 def to_json(
     estimate: Estimate,
     names: Names,
-    gestures: GestureRecogniser | None = None,
+    gestures: Gestures | None = None,
     schema: int = FIRST,
 ) -> str:
-    """The message as strict JSON without spaces (no NaN); ``gestures`` is fed with the estimate."""
+    """`text_of`; ``gestures`` is fed with the estimate."""
     if gestures is not None:
         gestures.feed(estimate)
-    return encoded(payload(estimate, names, gestures, schema))
+    return text_of(estimate, names, gestures, schema)
 
 
 def check_schema(schema: int) -> None:
@@ -89,33 +109,136 @@ def check_schema(schema: int) -> None:
         raise StreamError(notice("stream.schema", known=known, schema=schema))
 
 
-def encoded(message: dict[str, Any]) -> str:
+def encoded(message: object) -> str:
     """Strict JSON without spaces."""
     return json.dumps(message, separators=(",", ":"), allow_nan=False)
 
 
-def _numbered(estimate: Estimate, names: Names) -> dict[str, Any]:
+class _Form(NamedTuple):
+    """What a message has apart from numbers: with the same form and the same numbers known, the
+    text between the numbers is the same."""
+
+    schema: int
+    side: str
+    tracking: str
+    points: tuple[str, ...]
+    openxr: bool
+    angles: tuple[str, ...]
+    point_states: tuple[int, ...]
+    angle_states: tuple[int, ...]
+    gestures: tuple[str, ...] | None  # None: without gestures
+    shown: tuple[str, ...]
+
+
+class _Content(NamedTuple):
+    """The columns are those that `_message` takes, (n,) or (n, 3) or (n, 4), NaN where lost."""
+
+    form: _Form
+    columns: list[Array]
+
+
+def _content(e: Estimate, names: Names, gestures: Gestures | None, schema: int) -> _Content:
+    joints = openxr_of(e, names) if names.openxr else None
+    states, points = _points(e, joints)
+    columns = [*points, *([] if schema == FIRST else _velocities(e, names, joints))]
+    columns += _angles(e, schema)
+    found, shown = None, ()
+    if gestures is not None:
+        values, sure = gestures.values, gestures.confidences
+        found, shown = tuple(values), tuple(sure)
+        columns.append(np.array([*values.values()]))
+        columns.append(np.round([*sure.values()], 3))
+    form = _Form(
+        schema,
+        names.side,
+        e.tracking.name.lower(),
+        JOINTS if joints is not None else names.keypoints,
+        joints is not None,
+        names.angles,
+        tuple(states.tolist()),
+        tuple(e.angle_state.tolist()),
+        found,
+        shown,
+    )
+    return _Content(form, columns)
+
+
+@lru_cache(maxsize=FORMS)
+def _text_form(form: _Form, shapes: tuple[tuple[int, ...], ...], known: bytes) -> TextForm:
+    """``shapes`` of the columns; ``known``: bools for all their numbers, empty if all are."""
+    there = np.frombuffer(known, bool) if known else None
+    return TextForm(
+        _message(form, [HOLE] * (1 if form.schema == FIRST else 3), holes(shapes, there))
+    )
+
+
+def _message(f: _Form, head: Sequence[Any], columns: Sequence[Column]) -> dict[str, Any]:
+    """``head``: the instant, from the second schema on after the number of the estimate in the
+    stream and its instant on the wall clock."""
+    rest, first = iter(columns), f.schema == FIRST
+    numbered = {} if first else {"seq": head[0], "t_unix_ns": head[1]}
+    last = "radius" if f.openxr else "sd"
+    keys = ("position", "orientation_xyzw", last)
+    states = [STATE_WORDS[Validity(x)] for x in f.point_states]
+    points = _rows(f.points, ("state", *keys), [states, *_take(rest, len(keys))])
+    out: dict[str, Any] = {"schema": f.schema, "side": f.side, **numbered}
+    out |= {"t": head[-1], "tracking": f.tracking, "joints" if f.openxr else "keypoints": points}
+    if not first:
+        keys = VELOCITY_KEYS
+        out["velocity"] = _rows(f.points, keys, _take(rest, len(keys)))
+    keys = ANGLE_KEYS[:1] if first else ANGLE_KEYS
+    states = [STATE_WORDS[Validity(x)] for x in f.angle_states]
+    out["angles"] = _rows(f.angles, ("state", *keys), [states, *_take(rest, len(keys))])
+    if f.gestures is not None:
+        values, sure = _take(rest, 2)
+        out["gestures"] = {
+            "shown": list(f.shown),
+            "values": dict(zip(f.gestures, values, strict=True)),
+            "confidence": dict(zip(f.shown, sure, strict=True)),
+        }
+    return out
+
+
+def _rows(
+    names: Sequence[str], keys: Sequence[str], columns: Sequence[Column]
+) -> dict[str, dict[str, Any]]:
+    """An object for each name, with a value of each column under its key."""
+    rows = zip(*columns, strict=True)
+    return {n: dict(zip(keys, row, strict=True)) for n, row in zip(names, rows, strict=True)}
+
+
+def _take(columns: Iterator[Column], count: int) -> list[Column]:
+    return list(islice(columns, count))
+
+
+def _numbered(estimate: Estimate, names: Names) -> tuple[int | None, int | None]:
     """The number of the estimate in the stream, and its instant on the wall clock."""
-    seq = None if estimate.seq < 0 else estimate.seq
-    return {"seq": seq, "t_unix_ns": names.wall_ns(estimate.t)}
-
-
-def _gestures(found: GestureRecogniser) -> dict[str, Any]:
-    """The shown gestures with their confidence, and the value of each; null where lost."""
-    values = {n: _number(v, False) for n, v in found.values.items()}
-    sure = {n: round(c, 3) for n, c in found.confidences.items()}
-    return {"shown": list(found.active), "values": values, "confidence": sure}
+    return None if estimate.seq < 0 else estimate.seq, names.wall_ns(estimate.t)
 
 
 def openxr_of(estimate: Estimate, names: Names) -> OpenXrHand:
-    """OpenXR's joints of an estimate, for ``names`` that have their radii."""
-    return to_openxr(estimate, names.keypoints, np.array(names.radii))
+    """OpenXR's joints of an estimate, for ``names`` that have their radii. Several outputs that
+    need them share the result, which must not be changed."""
+    key = names.keypoints, names.radii
+    return _RECENT_JOINTS.get(
+        estimate, key, lambda: to_openxr(estimate, names.keypoints, np.array(names.radii))
+    )
 
 
-def _points(estimate: Estimate, names: Names, joints: OpenXrHand | None) -> dict[str, Any]:
+def _points(e: Estimate, joints: OpenXrHand | None) -> tuple[IntArray, list[Array]]:
+    """State, position, orientation, and sd of keypoints or radius of joints; NaN where lost."""
     if joints is not None:
-        return {"joints": _joints(joints)}
-    return {"keypoints": _keypoints(estimate, names)}
+        return joints.state, [joints.position, joints.orientation, joints.radius]
+    lost = e.keypoint_state == Validity.LOST
+    columns = [e.keypoints, e.keypoint_q, e.keypoint_sd]
+    return e.keypoint_state, [_without(c, lost) for c in columns]
+
+
+def _without(values: Array, lost: BoolArray) -> Array:
+    """NaN in the rows that are lost."""
+    if not lost.any():
+        return values
+    return np.asarray(np.where(lost if values.ndim == 1 else lost[:, None], np.nan, values))
 
 
 def moving_points(
@@ -129,98 +252,25 @@ def moving_points(
     if names.openxr:
         return openxr_motion(e, names.keypoints, joints or openxr_of(e, names))
     lost = e.keypoint_state == Validity.LOST
-    linear, angular = (np.where(lost[:, None], np.nan, v) for v in (m.linear, m.angular))
-    sds = (np.where(lost, np.nan, sd) for sd in (m.linear_sd, m.angular_sd))
-    return PointMotion(linear, angular, *sds)
+    columns = (m.linear, m.angular, m.linear_sd, m.angular_sd)
+    return PointMotion(*(_without(column, lost) for column in columns))
 
 
-def _velocities(estimate: Estimate, names: Names, joints: OpenXrHand | None) -> dict[str, Any]:
-    """Velocities of each keypoint or joint; null where lost or not estimated."""
-    moving = moving_points(estimate, names, joints)
-    listed = names.keypoints if joints is None else JOINTS
-    if moving is None:
-        keys = ("linear", "angular", "sd", "angular_sd")
-        return {n: dict.fromkeys(keys) for n in listed}
-    columns = (
-        _vectors(moving.linear),
-        _vectors(moving.angular),
-        _scalars(moving.linear_sd),
-        _scalars(moving.angular_sd),
-    )
-    return {
-        name: {"linear": linear, "angular": angular, "sd": sd, "angular_sd": angular_sd}
-        for name, linear, angular, sd, angular_sd in zip(listed, *columns, strict=True)
-    }
+def _velocities(e: Estimate, names: Names, joints: OpenXrHand | None) -> list[Array]:
+    """Columns of `VELOCITY_KEYS` for each keypoint or joint; NaN where lost or not estimated."""
+    moving = moving_points(e, names, joints)
+    if moving is not None:
+        return [moving.linear, moving.angular, moving.linear_sd, moving.angular_sd]
+    count = len(names.keypoints if joints is None else JOINTS)
+    vectors, values = np.full((count, 3), np.nan), np.full(count, np.nan)
+    return [vectors, vectors, values, values]
 
 
-def _angles(e: Estimate, names: Names, schema: int) -> dict[str, Any]:
-    """For each joint; from the second schema on with its rate and standard deviations."""
+def _angles(e: Estimate, schema: int) -> list[Array]:
+    """Columns of `ANGLE_KEYS` for each angle; of the first schema the first one."""
     lost: BoolArray = e.angle_state == Validity.LOST
-    states = [STATE_WORDS[s] for s in e.angle_state.tolist()]
-    values = _scalars(e.angles, lost)
     if schema == FIRST:
-        rows = zip(names.angles, states, values, strict=True)
-        return {name: {"state": state, "value": value} for name, state, value in rows}
-    m = e.motion
-    none: list[float | None] = [None] * len(states)
-    sds = none if m is None else _scalars(m.angle_sd, lost)
-    rates = none if m is None else _scalars(m.angle_rate, lost)
-    rate_sds = none if m is None else _scalars(m.angle_rate_sd, lost)
-    columns = zip(names.angles, states, values, sds, rates, rate_sds, strict=True)
-    return {
-        name: {"state": state, "value": value, "sd": sd, "rate": rate, "rate_sd": rate_sd}
-        for name, state, value, sd, rate, rate_sd in columns
-    }
-
-
-def _joints(hand: OpenXrHand) -> dict[str, Any]:
-    """OpenXR's joints."""
-    lost: BoolArray = hand.state == Validity.LOST
-    columns = (
-        [STATE_WORDS[s] for s in hand.state.tolist()],
-        _vectors(hand.position, lost),
-        _vectors(hand.orientation, lost),
-        _scalars(hand.radius, lost),
-    )
-    return {
-        name: {"state": state, "position": p, "orientation_xyzw": q, "radius": radius}
-        for name, state, p, q, radius in zip(JOINTS, *columns, strict=True)
-    }
-
-
-def _keypoints(e: Estimate, names: Names) -> dict[str, Any]:
-    lost: BoolArray = e.keypoint_state == Validity.LOST
-    columns = (
-        [STATE_WORDS[s] for s in e.keypoint_state.tolist()],
-        _vectors(e.keypoints, lost),
-        _vectors(e.keypoint_q, lost),
-        _scalars(e.keypoint_sd, lost),
-    )
-    return {
-        name: {"state": state, "position": p, "orientation_xyzw": q, "sd": sd}
-        for name, state, p, q, sd in zip(names.keypoints, *columns, strict=True)
-    }
-
-
-def _scalars(values: Array, lost: BoolArray | None = None) -> list[float | None]:
-    """(n,) as numbers of a message; None where lost or not finite."""
-    known: BoolArray = np.isfinite(values)
-    known = known if lost is None else known & ~lost
-    numbers = np.round(values, DECIMALS).tolist()
-    if known.all():
-        return list(numbers)
-    return [x if k else None for x, k in zip(numbers, known.tolist(), strict=True)]
-
-
-def _vectors(values: Array, lost: BoolArray | None = None) -> list[list[float] | None]:
-    """(n, k) as lists of a message; None where lost or not finite."""
-    known: BoolArray = np.asarray(np.isfinite(values).all(axis=1))
-    known = known if lost is None else known & ~lost
-    numbers = np.round(values, DECIMALS).tolist()
-    if known.all():
-        return list(numbers)
-    return [v if k else None for v, k in zip(numbers, known.tolist(), strict=True)]
-
-
-def _number(value: float, lost: bool) -> float | None:
-    return None if lost or not np.isfinite(value) else round(value, DECIMALS)
+        return [_without(e.angles, lost)]
+    m, none = e.motion, np.full(len(e.angles), np.nan)
+    found = [none] * 3 if m is None else [m.angle_sd, m.angle_rate, m.angle_rate_sd]
+    return [_without(column, lost) for column in (e.angles, *found)]

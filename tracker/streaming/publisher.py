@@ -8,13 +8,13 @@ from typing import Protocol
 
 from tracker.base.clock import ClockAnchor
 from tracker.base.notices import notice
-from tracker.gestures.recogniser import GestureRecogniser
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.hand.openxr import joint_radii
 from tracker.messages import Estimate, Validity
 from tracker.streaming.connection import LOOPBACK as LOOPBACK
 from tracker.streaming.connection import StreamError as StreamError
+from tracker.streaming.shared import Gestures, OutputGestures, SharedGestures
 
 OWN, OPENXR = JOINT_SETS = ("own", "openxr")
 """The content of a message: the hand's keypoints in G, or OpenXR's 26 joints in OpenXR's world."""
@@ -72,6 +72,7 @@ class Names:
     hand: HandModel | None = field(default=None, compare=False, repr=False)
     anchor: ClockAnchor | None = field(default=None, compare=False, repr=False)
     glove: GloveModel | None = field(default=None, compare=False, repr=False)
+    shared: SharedGestures | None = field(default=None, compare=False, repr=False)
 
     def wall_ns(self, t: float) -> int | None:
         """ns since 1970 at ``t`` (s) by the session's anchor; None for names without one."""
@@ -82,9 +83,18 @@ class Names:
         """Whether messages carry OpenXR's 26 joints in place of the keypoints."""
         return bool(self.radii)
 
-    def recogniser(self) -> GestureRecogniser | None:
-        """A new recognizer for one output; None for names without a hand."""
-        return GestureRecogniser(self.hand, self.keypoints) if self.hand is not None else None
+    def recogniser(self) -> Gestures | None:
+        """The gestures of one output, recognized together with those of outputs whose names were
+        shared; None for names without a hand."""
+        if self.hand is None:
+            return None
+        return OutputGestures(self.shared or SharedGestures(self.hand, self.keypoints))
+
+    def sharing(self) -> Names:
+        """For several outputs of one hand, whose gestures are recognized once."""
+        if self.hand is None:
+            return self
+        return replace(self, shared=SharedGestures(self.hand, self.keypoints))
 
     @staticmethod
     def of(

@@ -103,10 +103,11 @@ def open_streams(settings: StreamSettings, hands: Sequence[Names]) -> dict[str, 
     Raises StreamError after closing what was opened.
     """
     out: dict[str, list[Publisher]] = {}
+    sharing = [names.sharing() for names in hands]
     try:
         for name in settings.on:
             kind = STREAMS.get(name)
-            out[name] = open_stream(kind, settings.options(kind), hands)
+            out[name] = open_stream(kind, settings.options(kind), sharing)
     except StreamError:
         close_all(publisher for publishers in out.values() for publisher in publishers)
         raise

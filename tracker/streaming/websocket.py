@@ -19,12 +19,12 @@ from websockets.asyncio.server import ServerConnection
 from websockets.frames import CloseCode
 
 from tracker.base.notices import notice
-from tracker.gestures.recogniser import GestureRecogniser
 from tracker.messages import Estimate
 from tracker.streaming.client_queue import ClientQueue
-from tracker.streaming.payload import LATEST, SCHEMAS, check_schema, encoded, payload
+from tracker.streaming.payload import LATEST, SCHEMAS, check_schema, text_of
 from tracker.streaming.publisher import LOOPBACK, Names, OtherHand, StreamError
 from tracker.streaming.server_thread import LOCAL_PAGE, ServerThread
+from tracker.streaming.shared import Gestures
 
 MAX_SAID = 1024  # bytes of a client's message; clients send none
 
@@ -63,7 +63,7 @@ class WebSocketPublisher:
         """A publisher of another hand for the same clients."""
         return OtherHand(self.name, partial(self._send, names, names.recogniser()))
 
-    def _send(self, names: Names, gestures: GestureRecogniser | None, estimate: Estimate) -> None:
+    def _send(self, names: Names, gestures: Gestures | None, estimate: Estimate) -> None:
         if self._closing:
             raise StreamError(notice("stream.closed", what="WebSocket server"))
         if not self.clients:
@@ -71,7 +71,7 @@ class WebSocketPublisher:
         if gestures is not None:
             gestures.feed(estimate)
         wanted = {self._schema, *(client.schema for client in self._clients)}
-        texts = {s: encoded(payload(estimate, names, gestures, s)) for s in sorted(wanted)}
+        texts = {s: text_of(estimate, names, gestures, s) for s in sorted(wanted)}
         self._server.call(self._hand_out, texts)
 
     def close(self) -> None:

@@ -9,7 +9,7 @@ import socket
 import numpy as np
 from numpy.testing import assert_allclose
 
-from extensions.landmarks.mediapipe import ImaginedView, hand_result
+from extensions.landmarks.mediapipe import ImaginedView, result_text
 from glovetrack.conventions import MEDIAPIPE
 from tests.notices import raises
 from tracker.streaming.connection import LOOPBACK
@@ -50,7 +50,7 @@ def world_mean(points: np.ndarray) -> np.ndarray:
 
 
 def test_a_hand_with_a_lost_landmark_is_absent(make_estimate, names: Names) -> None:
-    result = hand_result(make_estimate(lost=("ring_tip",)), names, ImaginedView())
+    result = json.loads(result_text(make_estimate(lost=("ring_tip",)), names, ImaginedView()))
     assert result["landmarks"] == result["worldLandmarks"] == result["handednesses"] == []
 
 

@@ -13,7 +13,7 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
-from extensions.retargeting.poses import LANDMARKS, TIPS, PoseView, pose_message
+from extensions.retargeting.poses import LANDMARKS, TIPS, PoseView, pose_text
 from glovetrack.conventions import R_B_OPERATOR, operator_frame, to_mediapipe
 from resources import folder
 from tests.notices import raises
@@ -68,7 +68,7 @@ def test_every_kind_of_message_matches_its_schema(
         make_estimate(lost=("thumb_tip",)),
         make_estimate(lost=dated.keypoints, tracking=Tracking.SEARCHING),
     ):
-        message = json.loads(json.dumps(pose_message(e, dated, PoseView(joints, frame, matrix))))
+        message = json.loads(pose_text(e, dated, PoseView(joints, frame, matrix)))
         jsonschema.validate(message, schema, jsonschema.Draft202012Validator)
         assert message["poses"]["thumb_tip"]["position"] is None
 
@@ -163,7 +163,7 @@ def test_the_fitted_frame_is_the_dorsums_up_to_the_arch_of_the_knuckles(side: st
 def test_a_lost_wrist_loses_poses_relative_to_it(make_estimate, dated: Names) -> None:
     e = make_estimate(lost=("wrist",))
     for frame, lost in (("world", False), ("wrist", True), ("operator", True)):
-        tip = pose_message(e, dated, PoseView(frame=frame))["poses"]["ring_tip"]
+        tip = json.loads(pose_text(e, dated, PoseView(frame=frame)))["poses"]["ring_tip"]
         assert (tip["state"] == "lost") == lost == (tip["position"] is None)
 
 
