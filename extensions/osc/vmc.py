@@ -118,7 +118,8 @@ class VmcPublisher:
 
     def _template(self, wrist: int, *bones: int) -> OscTemplate:
         """The messages where wrist and bones have these states."""
-        serial, pose = f"glovetrack-{self._hand.side}", [FLOAT] * 7
+        serial = f"glovetrack-{self._hand.side}"
+        pose: list[Value] = [FLOAT] * 7
         out: list[tuple[str, Sequence[Value]]] = [
             ("/VMC/Ext/OK", [1, CALIBRATED, NORMAL_MODE, INT]),
             ("/VMC/Ext/T", [FLOAT]),
@@ -131,7 +132,8 @@ class VmcPublisher:
             if state != Validity.LOST:
                 out.append(("/VMC/Ext/Bone/Pos", [name, *pose]))
         names = GESTURES if self._gestures is not None else ()
-        return OscTemplate([*out, *((GESTURE, [name, FLOAT, INT]) for name in names)])
+        out += [(GESTURE, [name, FLOAT, INT]) for name in names]
+        return OscTemplate(out)
 
     def _gesture_values(self, e: Estimate) -> tuple[list[float], list[int]]:
         """Each gesture's value, 0 where it is lost, and whether it is shown."""
@@ -167,7 +169,7 @@ def openxr_bundle(e: Estimate, names: Names) -> bytes:
 
 @lru_cache(maxsize=TEMPLATES)
 def _openxr_template(states: tuple[int, ...]) -> OscTemplate:
-    pose = [FLOAT] * 8
+    pose: list[Value] = [FLOAT] * 8
     return OscTemplate(
         [
             (

@@ -18,7 +18,7 @@ import numpy as np
 
 from extensions.osc import decode
 from extensions.osc.decode import OscError
-from extensions.osc.encode import FLOAT, OscTemplate, bundle_of, elements, message
+from extensions.osc.encode import FLOAT, OscTemplate, Value, bundle_of, elements, message
 from extensions.vr.buttons import ButtonGestures, Controls, control_reader
 from extensions.vr.skeleton import BoneSkeleton, RigidMotion, in_unity
 from tracker.base.notices import Notice, notice
@@ -102,14 +102,13 @@ class VmtPublisher:
 
     def _template(self, bones: Sequence[int]) -> OscTemplate:
         """Messages for the device and the bones of these numbers."""
-        pose, device = [FLOAT] * 7, self._device
-        return OscTemplate(
-            [
-                ("/VMT/Room/Unity", [device, MODE[self._names.side], NOW, *pose]),
-                *(("/VMT/Skeleton/Unity", [device, bone, *pose]) for bone in bones),
-                ("/VMT/Skeleton/Apply", [device, NOW]),
-            ]
-        )
+        device = self._device
+        pose: list[Value] = [FLOAT] * 7
+        out: list[tuple[str, list[Value]]] = [
+            ("/VMT/Room/Unity", [device, MODE[self._names.side], NOW, *pose])
+        ]
+        out += [("/VMT/Skeleton/Unity", [device, bone, *pose]) for bone in bones]
+        return OscTemplate([*out, ("/VMT/Skeleton/Apply", [device, NOW])])
 
     def _inputs(self, c: Controls) -> list[bytes]:
         fingers = zip(range(FIRST_FINGER, FIRST_FINGER + 4), c.curls[1:].tolist(), strict=True)

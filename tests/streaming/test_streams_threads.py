@@ -63,6 +63,42 @@ def test_a_blocked_output_delays_neither_caller_nor_other_outputs(make_estimate,
     streams.close()
 
 
+class ThreadSink(Sink):
+    """Also stores in which thread it sends."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(name)
+        self.threads: list[threading.Thread] = []
+
+    def send(self, estimate: Estimate) -> None:
+        self.threads.append(threading.current_thread())
+        super().send(estimate)
+
+
+def test_outputs_share_a_thread_until_one_hangs(make_estimate, wait_for) -> None:
+    slow, healthy, other = (ThreadSink(name) for name in ("slow", "healthy", "other"))
+    parts = [Streams([sink]) for sink in (slow, healthy, other)]
+
+    def offer(t: float) -> None:
+        for part in parts:
+            part.offer(make_estimate(t))
+
+    offer(0.0)
+    wait_for(lambda: len(other.got) == 1)
+    assert slow.threads == healthy.threads == other.threads
+    slow.open.clear()
+    offer(1.0)
+    wait_for(lambda: healthy.got == other.got == [0.0, 1.0])
+    assert healthy.threads[1] is other.threads[1] is not slow.threads[1]
+    slow.open.set()
+    offer(2.0)
+    wait_for(lambda: all(sink.got == [0.0, 1.0, 2.0] for sink in (slow, healthy, other)))
+    assert slow.threads[2] is slow.threads[1] and healthy.threads[2] is other.threads[2]
+    for part in parts:
+        part.close()
+    wait_for(lambda: not any(t.name.startswith("glovetrack-sender") for t in threading.enumerate()))
+
+
 def test_a_failing_output_is_reported_once_and_recovers(make_estimate, wait_for) -> None:
     reported: list[Notice] = []
     sink = Sink("UDP")

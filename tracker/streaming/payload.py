@@ -142,7 +142,8 @@ def _content(e: Estimate, names: Names, gestures: Gestures | None, schema: int) 
     states, points = _points(e, joints)
     columns = [*points, *([] if schema == FIRST else _velocities(e, names, joints))]
     columns += _angles(e, schema)
-    found, shown = None, ()
+    found: tuple[str, ...] | None = None
+    shown: tuple[str, ...] = ()
     if gestures is not None:
         values, sure = gestures.values, gestures.confidences
         found, shown = tuple(values), tuple(sure)
@@ -178,7 +179,7 @@ def _message(f: _Form, head: Sequence[Any], columns: Sequence[Column]) -> dict[s
     rest, first = iter(columns), f.schema == FIRST
     numbered = {} if first else {"seq": head[0], "t_unix_ns": head[1]}
     last = "radius" if f.openxr else "sd"
-    keys = ("position", "orientation_xyzw", last)
+    keys: tuple[str, ...] = ("position", "orientation_xyzw", last)
     states = [STATE_WORDS[Validity(x)] for x in f.point_states]
     points = _rows(f.points, ("state", *keys), [states, *_take(rest, len(keys))])
     out: dict[str, Any] = {"schema": f.schema, "side": f.side, **numbered}

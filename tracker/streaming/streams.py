@@ -1,8 +1,8 @@
-"""Runs outputs in threads with bounded queues, so that none waits for another.
+"""Runs outputs with bounded queues, so that none waits for another.
 
-Messages are composed and sent in the output's own thread. An output that cannot keep up discards
-the oldest estimates, which are counted. The engine's threads only put estimates into the queues.
-Outputs compose their messages one after another; the engine has priority.
+One thread composes and sends the messages of all outputs; one that hangs gets a thread of its own,
+see `senders`. An output that cannot keep up discards the oldest estimates, which are counted. The
+engine's threads only put estimates into the queues, and have priority.
 """
 
 from __future__ import annotations
@@ -11,21 +11,20 @@ import logging
 import threading
 import time
 from collections import deque
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Mapping, Sequence
+from copy import copy
+from dataclasses import dataclass, field
 
 from tracker.base.channels import Backlog, Closed
 from tracker.base.notices import Notice, failure, notice, warning
 from tracker.messages import Estimate
 from tracker.streaming.publisher import Publisher
+from tracker.streaming.senders import SENDERS
 
 _log = logging.getLogger(__name__)
 
 BACKLOG = 50  # estimates: half a second; older ones are of no use to a live client
 RATE_WINDOW = 3.0  # s over which rates are counted
-PATIENCE = 0.02  # s that an output waits for its turn
-HANGS = 1.0  # s for which no output waits for one that exceeded its turn
 END_WAIT = 1.0  # s that `close` allows an output to finish sending
 
 
@@ -79,7 +78,7 @@ def of_all_hands(counts: Sequence[StreamCounts]) -> StreamCounts:
 
 
 class Streams:
-    """Numbers estimates and passes them to all outputs, each in its own thread.
+    """Numbers estimates and passes them to all outputs.
 
     ``report`` receives a notice when an output begins to fail and when it works again. `close`
     closes the publishers.
@@ -93,6 +92,8 @@ class Streams:
     ) -> None:
         """``give`` waits while the engine processes a message, see `tracker.live.right_of_way`."""
         self._outputs = [_Output(p, report, give) for p in publishers]
+        for output in self._outputs:
+            SENDERS.add(output)
         self._offered = 0
 
     def offer(self, estimate: Estimate, number: int | None = None) -> None:
@@ -103,6 +104,7 @@ class Streams:
         self._offered = self._offered if number is None else number
         for output in self._outputs:
             output.queue.put((self._offered, estimate))
+        SENDERS.wake()
         self._offered += 1
 
     def counts(self) -> tuple[StreamCounts, ...]:
@@ -113,39 +115,20 @@ class Streams:
         repeatedly."""
         for output in self._outputs:
             output.queue.close()
+        SENDERS.wake()
         for output in self._outputs:
-            output.thread.join(wait)
+            output.ended.wait(wait)
 
 
-class _Turn:
-    """Held by the output that composes a message: all threads share Python's lock, and the engine,
-    which needs it several times for a packet, would wait for each output that computes meanwhile.
-
-    The others wait for an output that hangs at most once per `HANGS` s."""
-
-    def __init__(self) -> None:
-        self._lock = threading.Lock()
-        self._impatient_until = float("-inf")
-
-    @contextmanager
-    def taken(self) -> Iterator[None]:
-        now = time.monotonic()
-        patience = PATIENCE if now >= self._impatient_until else 0.0
-        alone = self._lock.acquire(timeout=patience)
-        if not alone and patience:
-            self._impatient_until = now + HANGS
-        try:
-            yield
-        finally:
-            if alone:
-                self._lock.release()
-
-
-_TURN = _Turn()
+def _numbered(number: int, estimate: Estimate) -> Estimate:
+    """A copy with this number, and without the checks of a new estimate."""
+    out = copy(estimate)
+    object.__setattr__(out, "seq", number)
+    return out
 
 
 class _Output:
-    """One publisher, its queue and its thread."""
+    """One publisher and its queue."""
 
     def __init__(
         self,
@@ -160,9 +143,7 @@ class _Output:
         self._timing = threading.Lock()
         self._sent = self._failed = 0
         self._error = ""
-        name = f"glovetrack-stream-{publisher.name}"
-        self.thread = threading.Thread(target=self._run, name=name, daemon=True)
-        self.thread.start()
+        self.ended = threading.Event()
 
     def counts(self) -> StreamCounts:
         return StreamCounts(
@@ -184,20 +165,22 @@ class _Output:
                 self._times.popleft()
             return len(self._times) / min(max(now - self._began, 0.5), RATE_WINDOW)
 
-    def _run(self) -> None:
+    def step(self, timeout: float | None) -> bool:
+        """Sends the oldest estimate if one arrives within ``timeout`` s; returns whether one did or
+        the output has ended."""
         try:
-            while True:
-                numbered = self.queue.get(None)
-                if numbered is not None:
-                    self._send_in_turn(replace(numbered[1], seq=numbered[0]))
+            numbered = self.queue.get(timeout)
         except Closed:
-            self._publisher.close()
-
-    def _send_in_turn(self, estimate: Estimate) -> None:
-        """Runs neither at the same time as other outputs, unless one hangs, nor as the engine."""
-        with _TURN.taken():
-            self._give()
-            self._send(estimate)
+            try:
+                self._publisher.close()
+            finally:
+                self.ended.set()
+            return True
+        if numbered is None:
+            return False
+        self._give()
+        self._send(_numbered(*numbered))
+        return True
 
     def _send(self, estimate: Estimate) -> None:
         try:

@@ -64,5 +64,5 @@ def numbers(values: Array) -> Column:
 
 
 def _with_none(column: Column, known: BoolArray) -> Column:
-    rows = known if known.ndim == 1 else known.all(axis=1)
-    return [x if k else None for x, k in zip(column, rows.tolist(), strict=True)]
+    rows: BoolArray = known if known.ndim == 1 else np.asarray(known.all(axis=1))
+    return [x if k else None for x, k in zip(column, rows, strict=True)]
