@@ -136,7 +136,7 @@ def _setup_with(
         return recorders.record(path, about, companion=companion)
 
     make_recorder = recorder_maker(tracker, info, record)
-    camera_part = _camera(first.rig, spec.fps if has_camera else 0.0)
+    camera_part = _camera(first, spec.fps if has_camera else 0.0)
     return seen_from_main(
         [
             replace(
@@ -196,11 +196,12 @@ class SimulatedRate:
     unfit: None = None
 
 
-def _camera(rig: StereoRig, fps: float) -> CameraPart:
+def _camera(seen: Simulation, fps: float) -> CameraPart:
     """``fps``: 0 without a camera."""
     if not fps:
-        return CameraPart(rig, present=False, calibrated=False)
-    return CameraPart(rig, name=CAMERA, device=SimulatedRate(fps))
+        return CameraPart(seen.rig, present=False, calibrated=False)
+    device, true_rig = SimulatedRate(fps), seen.scene.rig
+    return CameraPart(seen.rig, name=CAMERA, device=device, true_rig=true_rig)
 
 
 class SimulatedTruth:

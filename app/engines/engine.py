@@ -55,6 +55,7 @@ class CameraPart:
     calibration_file: str = ""  # empty without one
     device: CameraDevice | None = None
     controls: CameraControls | None = None
+    true_rig: StereoRig | None = None  # the camera behind a simulation's images
 
     def is_single(self, frame: StereoFrame | None = None) -> bool:
         """Whether it has one lens, by its calibration, or without one by its images."""

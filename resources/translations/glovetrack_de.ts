@@ -11161,8 +11161,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>The light has changed; adapting the colours.</source>
-      <translation>Das Licht hat sich geändert; die Farben werden angepasst.</translation>
+      <source>Colours adapted to the light.</source>
+      <translation>Die Farben wurden an das Licht angepasst.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />

@@ -81,10 +81,12 @@ def test_both_are_found_and_the_list_follows(connected, qtbot, device):
     assert device.path in connected.windowTitle()
     for name in ("All IMUs respond", "Camera found", "Camera calibrated"):
         qtbot.waitUntil(lambda n=name: _done(connected, n), timeout=30_000)
-    exposure = next(
-        s for s in steps(connected.host.snapshot()) if s.name == "Exposure locked"
-    )  # of a film
-    assert exposure.check and exposure.reason.startswith("Cannot be verified")
+
+    def exposure():  # of a film
+        return next(s for s in steps(connected.host.snapshot()) if s.name == "Exposure locked")
+
+    qtbot.waitUntil(lambda: exposure().check, timeout=30_000)
+    assert exposure().reason.startswith("Cannot be verified")
     assert connected.host.setup.camera.name.endswith("mine")
     found = next(s for s in steps(connected.host.snapshot()) if s.name == "Glove found")
     assert "(installed: 0.9.0)" in found.reason

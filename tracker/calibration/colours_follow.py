@@ -24,7 +24,8 @@ from tracker.vision.colours import ColourProfile
 from tracker.vision.detector import Detector
 
 FOLLOWED = notice("colours.followed")
-"""Reports each new profile: the light has changed, or the initial colours were of another room."""
+"""Reports each new profile: the light has changed, or the initial colours were of another room or
+of a hand in other shade."""
 
 APART = 0.2  # s between two evaluated images
 STORED, LEAST = 6, 3  # stored images: over a second, shade averages out

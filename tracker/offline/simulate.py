@@ -25,7 +25,7 @@ from tracker.simulation.guided import HELD_BADLY, GuidedPoses, HoldParams, with_
 from tracker.simulation.head import MOVING, HeadParams
 from tracker.simulation.motion import SimulatedMotion
 from tracker.simulation.random_postures import RandomPostures
-from tracker.simulation.rooms import SCENES, room_of
+from tracker.simulation.rooms import SCENES, Room, room_of
 from tracker.simulation.scenario import Message, Simulation, SimulationParams, Truth
 from tracker.simulation.scripted import show
 from tracker.simulation.shows import WORD
@@ -57,7 +57,7 @@ def build(options: SimulateOptions) -> tuple[Simulation, SessionInfo]:
     glove = options.glove or GLOVES[options.hands]
     info = _info(options, library.texts(glove, options.hand or None))
     seed, rig = options.seed, _rig(options)
-    room = room_of(options.scene, options.light, options.photo, seed, rig)
+    room = _room(options, rig)
     head = _head(options.camera)
     if options.camera != "stand" and options.scene not in SCENES:
         raise ConfigError(notice("simulate.fixed_camera", scene=options.scene))
@@ -81,6 +81,12 @@ def _rig(options: SimulateOptions) -> StereoRig | None:
         )
     rig = known[options.lenses]
     return None if rig is None else _errors(options).rig(rig, options.seed)
+
+
+def _room(options: SimulateOptions, rig: StereoRig | None) -> Room:
+    """What surrounds the hand, as the true camera sees it."""
+    seen_by = None if rig is None else _errors(options).true_rig(rig, options.seed)
+    return room_of(options.scene, options.light, options.photo, options.seed, seen_by)
 
 
 def _errors(options: SimulateOptions) -> CameraErrors:
@@ -205,7 +211,7 @@ def build_both(options: SimulateOptions) -> tuple[TwoHandsSimulation, SessionInf
     infos = {side: _info(options, library.texts(glove)) for side, glove in GLOVES.items()}
     dressed = {side: GlovedHand(info.hand, info.glove) for side, info in infos.items()}
     seed, rig = options.seed, _rig(options)
-    room = room_of(options.scene, options.light, options.photo, seed, rig)
+    room = _room(options, rig)
     params = _errors(options).params(SimulationParams(render=room.render))
     sim = TwoHandsSimulation(dressed, seed, options.duration, options.fps, params, rig)
     hues = tuple(dict.fromkeys(h for info in infos.values() for h in info.glove.hues))

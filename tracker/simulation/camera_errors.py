@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 from tracker.simulation.flicker import FlickerParams
-from tracker.simulation.rig_errors import BOARD, RigErrorParams, with_lenses
+from tracker.simulation.rig_errors import BOARD, RigErrorParams, true_camera, with_lenses
 from tracker.vision.rig import StereoRig, with_readout
 
 if TYPE_CHECKING:
@@ -39,6 +39,10 @@ class CameraErrors:
         """The calibration of a camera with these errors, instead of an ``ideal`` one."""
         rig = with_readout(ideal, self.readout)
         return with_lenses(rig, seed) if self.lenses else rig
+
+    def true_rig(self, rig: StereoRig, seed: int) -> StereoRig:
+        """The camera that takes the images, of one that is calibrated as ``rig``."""
+        return true_camera(rig, seed, self.calibration)
 
     def params(self, params: SimulationParams) -> SimulationParams:
         """Parameters of the simulation of such a camera."""

@@ -93,7 +93,8 @@ def build(spec: DemoSpec) -> Simulation:
         own = RandomPostures(hand, spec.seed, duration=spec.duration, camera=spec.rig.pose)
         motion = RequestedMotion(own, spec.seed)
     scene = spec.scene or ("desk" if spec.light else "plain")
-    room = room_of(scene, spec.light, seed=spec.seed, rig=spec.rig)
+    seen_by = spec.errors_of_camera.true_rig(spec.rig, spec.seed)
+    room = room_of(scene, spec.light, seed=spec.seed, rig=seen_by)
     render = replace(room.render, exposures=spec.exposures)
     if isinstance(render, DeskParams):
         render = replace(render, backgrounds=BACKGROUNDS)

@@ -108,7 +108,9 @@ def image_choices(
     )
 
     setup = host.setup
-    rig = setup.camera.rig if setup is not None and setup.simulated else ideal_rig()
+    rig = ideal_rig()
+    if setup is not None and setup.simulated:
+        rig = setup.camera.true_rig or setup.camera.rig
     simulated = ImageChoice(tr("Simulated board (demo)"), lambda spec: BoardCamera(rig, spec), True)
 
     def choice(title: str, camera: str) -> ImageChoice:

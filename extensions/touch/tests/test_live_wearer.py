@@ -45,11 +45,13 @@ def test_the_sheet_lies_in_the_images_where_the_wearer_touches_it(demo) -> None:
     sim, _ = demo
     ask(sim, Follower().away(sim, 0.5)[0])
     left, right = sim.renderer.pair(2.0)
-    found = find_sheet([StereoFrame(2.0, 2.0, left, right)], sim.rig, 0.26)
+    frames = [StereoFrame(2.0, 2.0, left, right)]
+    assert find_sheet(frames, sim.scene.rig, 0.26).scale == pytest.approx(1, abs=1.5e-3)
+    found = find_sheet(frames, sim.rig, 0.26)
+    wrong = sim.rig.baseline / sim.scene.rig.baseline  # what the calibration is off by
+    assert abs(wrong - 1) > 2e-3 and found.scale == pytest.approx(wrong, abs=1.5e-3)
     true = placed_sheet(SEED, rig=sim.rig)
-    assert np.linalg.norm(found.p_GS - true.p_GS) < 1e-3 and found.scale == pytest.approx(
-        1, abs=2e-3
-    )
+    assert np.linalg.norm(found.p_GS - true.p_GS) < 1e-3
     assert np.degrees(np.arccos((np.trace(found.R_GS.T @ true.R_GS) - 1) / 2)) < 0.3
 
 

@@ -3,7 +3,7 @@
 TEXTS = {
     "colours.no_pixels": 'No pixels are marked for the hue "{hue:word}".',
     "colours.every_hue": 'The pixels marked for "{hue:word}" cover all hues. Mark only one cloth.',
-    "colours.followed": "The light has changed; adapting the colours.",
+    "colours.followed": "Colours adapted to the light.",
     "colours.no_glove_seen": (
         "Nothing was fitted: no glove was recognised with certainty. Hold your hand flat "
         "in front of the camera, in more or whiter light."
