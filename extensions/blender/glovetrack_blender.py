@@ -3,7 +3,7 @@
 Install this file in Blender (*Edit > Preferences > Add-ons > Install from Disk*). It needs nothing
 but Blender; recordings (MCAP) are converted by the program `glovetrack`, whose CSV exports can be
 imported directly. Each hand is an armature with a bone for each keypoint, in metres, z up. A bone's
-Y axis is the x axis of its keypoint's segment. Custom properties of each bone have what is claimed:
+Y axis is the x axis of its keypoint's segment. Custom properties of each bone are its
 ``state`` (0 lost, 1 inferred, 2 measured) and ``sd`` (m, -1 if lost). A lost bone keeps its last
 pose.
 """

@@ -66,7 +66,7 @@ def errors(m: Measured) -> Figure:
     axes = figure.add_subplot(1, 2, 2)
     axes.plot(MULTIPLES, 100 * expected(), color=_GREY, label="correct sd")
     axes.plot(MULTIPLES, 100 * np.array(m.calibration), ".-", color=_OURS, label="found")
-    axes.set_xlabel("k: multiple of the claimed standard deviation")
+    axes.set_xlabel("k: multiple of the reported standard deviation")
     axes.set_ylabel("errors within k sd, %")
     axes.set_ylim(0, 102)
     axes.legend(loc="lower right", frameon=False)

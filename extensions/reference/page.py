@@ -94,11 +94,11 @@ def _one(m: Measured, offsets: bool) -> list[str]:
     if lengths:
         parts += ["<h3>Distances of fingertips</h3>", _scalars(lengths)]
     parts += [
-        "<h3>Speed, state and claimed standard deviation</h3>",
+        "<h3>Speed, state and reported standard deviation</h3>",
         svg(errors(m)),
         _bins([*m.speeds, *m.states]),
-        f'<p class="note">Mean squared error in units of the claimed variance (1 if it is correct):'
-        f" {number(m.nees, 2)}.</p>",
+        '<p class="note">Mean squared error in units of the reported variance (1 if it is '
+        f"correct): {number(m.nees, 2)}.</p>",
         "<h3>Largest errors</h3>",
         _worst(m),
     ]
@@ -175,7 +175,7 @@ def clock(t: float) -> str:
 
 
 def _worst(m: Measured) -> str:
-    head = ["time in the session", "keypoint", "error mm", "state", "claimed sd mm", "speed m/s"]
+    head = ["time in the session", "keypoint", "error mm", "state", "reported sd mm", "speed m/s"]
     rows = [[clock(w.t), w.keypoint, number(1e3 * w.error), w.state, number(1e3 * w.sd),
              number(w.speed, 2)] for w in m.worst]  # fmt: skip
     if not m.pairs.linked:
@@ -210,7 +210,7 @@ def _definitions(offsets: bool) -> str:
         "ICC(2,1): absolute agreement, two-way random effects, single measurement (Shrout & Fleiss "
         "1979; interval of McGraw & Wong 1996). Of a keypoint: the least of its three coordinates.",
         f"Joint angles of both are computed from keypoints by one model: {MODEL}.",
-        "Errors within k sd: the distance is compared with k √3 times the claimed standard "
+        "Errors within k sd: the distance is compared with k √3 times the reported standard "
         "deviation per coordinate; the grey curve is χ²₃(3k²).",
         "All recordings: a random intercept per person, by the method of moments; the interval is "
         "by Student's t with one degree of freedom less than there are people. With one recording "

@@ -106,7 +106,7 @@ def _claims(ax: Axes, result: TouchResult) -> None:
         ax.plot([k - 0.35, k + 0.35], [100 * NORMAL[k]] * 2, color="#d55e00", linewidth=1.5)
     ax.set_xticks(range(3), ["1 sd", "2 sd", "3 sd"])
     ax.set_ylim(0, 105)
-    ax.set_title("Errors within claimed sd (%); line: as claimed", fontsize=9)
+    ax.set_title("Errors within reported sd (%); line: normal", fontsize=9)
 
 
 def _distance(ax: Axes, result: TouchResult) -> None:

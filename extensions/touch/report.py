@@ -71,7 +71,7 @@ def _about(result: TouchResult) -> str:
 
 def _fingers(result: TouchResult) -> str:
     head = ("finger", "touches", "bias mm", "SD per axis mm", "mean distance mm", "95 % within mm",
-            "claimed sd mm")  # fmt: skip
+            "reported sd mm")  # fmt: skip
     rows = [
         [f.finger, str(f.count), mm(f.bias_length), mm(f.sd), mm(f.distance), mm(f.p95)]
         + [f"{MM * sum(t.sd for t in f.touches) / f.count:.1f}"]
@@ -115,7 +115,7 @@ def summary_rows(result: TouchResult) -> list[tuple[str, str]]:
         f"{100 * c.value:.0f} % ({100 * c.low:.0f} to {100 * c.high:.0f}; {100 * n:.1f} if right)"
         for c, n in zip(result.claims, NORMAL, strict=True)
     ]
-    rows = [(f"errors within {k} claimed sd", text) for k, text in enumerate(within, 1)]
+    rows = [(f"errors within {k} reported sd", text) for k, text in enumerate(within, 1)]
     rows += [
         ("change of the error with distance", f"{_per_100(result.slope)} mm per 100 mm"),
         ("along the line of sight", f"bias {mm(result.depth[0])}, SD {mm(result.depth[1])} mm"),

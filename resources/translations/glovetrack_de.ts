@@ -8151,7 +8151,7 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/reference/window/accuracy_dialog.py" />
-      <source>Claimed sd (mm)</source>
+      <source>Reported sd (mm)</source>
       <translation>Angegebene Std.-Abw. (mm)</translation>
     </message>
     <message>

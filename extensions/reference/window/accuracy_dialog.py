@@ -76,7 +76,7 @@ class AccuracyDialog(JobDialog):
         self.table = RowTable(
             [
                 self.tr("Time"), self.tr("Keypoint"), self.tr("Error (mm)"), self.tr("State"),
-                self.tr("Claimed sd (mm)"), self.tr("Hand"), self.tr("Recording"),
+                self.tr("Reported sd (mm)"), self.tr("Hand"), self.tr("Recording"),
             ],
             self.tr("Largest errors"),
         )  # fmt: skip
