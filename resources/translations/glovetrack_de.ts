@@ -12626,6 +12626,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>The process that worked on it ended unexpectedly ({kind}: {why}).</source>
+      <translation>Der Prozess, der daran gearbeitet hat, ist unerwartet beendet worden ({kind}: {why}).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>There is no check {names:list}. Available: {known:list}.</source>
       <translation>Es gibt keine Prüfung {names:list}. Vorhanden: {known:list}.</translation>
     </message>

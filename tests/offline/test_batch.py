@@ -86,7 +86,7 @@ def test_nothing_is_overwritten(folder: Path, tmp_path: Path) -> None:
     precious.write_text("precious")
     jobs = [BatchJob(folder / "a.mcap", precious)]
     (outcome,) = track_all(jobs, TrackOptions(), lambda share: None, WorkersAsked(1))
-    assert shows(outcome.error, "file.exists_force")
+    assert outcome.error is not None and outcome.error.code == "file.exists_force"
     assert shows(table(jobs, [outcome]), "file.exists_force")
     assert precious.read_text() == "precious"
 

@@ -18,7 +18,7 @@ from typing import Any, Protocol
 
 from tracker.base.damage import LeftOut, gather, merged, pass_on
 from tracker.base.errors import ConfigError, DeviceError, GlovetrackError
-from tracker.base.notices import notice
+from tracker.base.notices import Notice, failure, notice
 from tracker.base.numeric_threads import limit_this_process
 
 TELL_EVERY = 0.25  # s between two reports of one task
@@ -37,10 +37,10 @@ class WorkItem:
 
 @dataclass(frozen=True)
 class TaskOutcome:
-    """What a task returned, or why it failed, in a sentence; and what it left out of sessions."""
+    """What a task returned, or why it failed; and what it left out of sessions."""
 
     value: Any = None
-    error: str = ""
+    error: Notice | None = None
     left_out: tuple[LeftOut, ...] = ()
 
 
@@ -190,7 +190,8 @@ def _outcome(future: Future[Any]) -> TaskOutcome:
     if error is None:
         outcome: TaskOutcome = future.result()
         return outcome
-    return TaskOutcome(error=f"The work on it broke off: {type(error).__name__}: {error}.")
+    ended = failure("workers.ended", kind=type(error).__name__, why=str(error))
+    return TaskOutcome(error=ended)
 
 
 def _work(task: WorkItem, number: int, board: Board, stop: StopFlag) -> TaskOutcome:
@@ -211,4 +212,4 @@ def _work(task: WorkItem, number: int, board: Board, stop: StopFlag) -> TaskOutc
             value = task.function(*task.arguments, report)
         return TaskOutcome(value, left_out=tuple(merged(left_out)))
     except GlovetrackError as error:
-        return TaskOutcome(error=str(error))
+        return TaskOutcome(error=error.notice)

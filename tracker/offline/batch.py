@@ -109,7 +109,7 @@ def table(jobs: Sequence[BatchJob], outcomes: Sequence[TaskOutcome]) -> str:
 
 def _row(job: BatchJob, outcome: TaskOutcome) -> tuple[str, ...]:
     if outcome.error:
-        return str(job.source), "–", "–", "–", "–", outcome.error
+        return str(job.source), "–", "–", "–", "–", str(outcome.error)
     r: TrackReport = outcome.value
     error = f"{r.error_mm['mean']:.1f} mm" if r.error_mm else "–"
     tracked = f"{100 * (1 - r.lost_s / r.duration_s):.1f} %" if r.duration_s else "–"
@@ -120,6 +120,6 @@ def to_json(jobs: Sequence[BatchJob], outcomes: Sequence[TaskOutcome]) -> dict[s
     """The same for programs."""
     rows = []
     for job, outcome in zip(jobs, outcomes, strict=True):
-        result = {"error": outcome.error} if outcome.error else outcome.value.to_json()
+        result = {"error": str(outcome.error)} if outcome.error else outcome.value.to_json()
         rows.append({"source": str(job.source), "out": str(job.out), **result})
     return {"sessions": rows}

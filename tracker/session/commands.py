@@ -231,7 +231,6 @@ def _verify_result(path: Path, findings: list[FileFinding]) -> tuple[dict[str, A
 
 def _verify_many(paths: list[Path]) -> tuple[dict[str, Any], list[str]]:
     """In parallel, on all cores; a file that is not a session counts as damaged."""
-    from tracker.base.notices import plain
     from tracker.base.workers import WorkItem, run_all, some_workers, usable_cores
     from tracker.session.verify import FileFinding, verify_one
 
@@ -240,9 +239,7 @@ def _verify_many(paths: list[Path]) -> tuple[dict[str, Any], list[str]]:
         outcomes = run_all(tasks, workers, lambda share: None)
     files, lines = {}, []
     for path, outcome in zip(paths, outcomes, strict=True):
-        findings = (
-            [FileFinding("error", plain(outcome.error), "file")] if outcome.error else outcome.value
-        )
+        findings = [FileFinding("error", outcome.error, "file")] if outcome.error else outcome.value
         files[str(path)], verdict = _verify_result(path, findings)
         lines += verdict
     return {"ok": all(f["ok"] for f in files.values()), "files": files}, lines

@@ -10,6 +10,7 @@ TEXTS = {
     "workers.no_dask": "A cluster requires Dask. Install glovetrack[cluster].",
     "workers.no_scheduler": "No Dask scheduler responds at {address}.",
     "workers.stopped": "The work was stopped.",
+    "workers.ended": "The process that worked on it ended unexpectedly ({kind}: {why}).",
     "doctor.unknown_check": "There is no check {names:list}. Available: {known:list}.",
     "option.together": "{options:words} must be given together.",
     "option.requires": "{option} requires {needed}.",
