@@ -1,13 +1,19 @@
 """Folders and several files: sessions are processed independently, failures reported, one table."""
 
 import json
+from collections.abc import Callable
+from concurrent.futures import Future
+from concurrent.futures.process import BrokenProcessPool
 from pathlib import Path
+from queue import Queue
+from threading import Event
+from typing import Any, NamedTuple
 
 import pytest
 
 from tests.notices import raises, shows
 from tracker.base.errors import ConfigError, DeviceError, FileError
-from tracker.base.workers import WorkersAsked, dask_workers
+from tracker.base.workers import WorkersAsked, WorkItem, dask_workers, run_all
 from tracker.cli import main
 from tracker.messages import Estimate
 from tracker.offline.batch import BatchJob, plan, table, track_all
@@ -89,6 +95,23 @@ def test_nothing_is_overwritten(folder: Path, tmp_path: Path) -> None:
     assert outcome.error is not None and outcome.error.code == "file.exists_force"
     assert shows(table(jobs, [outcome]), "file.exists_force")
     assert precious.read_text() == "precious"
+
+
+class Dying(NamedTuple):
+    """Workers whose processes die."""
+
+    board: Queue[tuple[int, float]] = Queue()
+    stop: Event = Event()
+
+    def submit(self, _function: Callable[..., Any], *_arguments: Any) -> Future[Any]:
+        future: Future[Any] = Future()
+        future.set_exception(BrokenProcessPool("terminated abruptly"))
+        return future
+
+
+def test_a_worker_that_dies_is_reported() -> None:
+    (outcome,) = run_all([WorkItem(print, ())], Dying(), lambda share: None)
+    assert outcome.error is not None and outcome.error.code == "workers.ended"
 
 
 def test_a_cluster_gives_identical_results(folder: Path, tmp_path: Path) -> None:
