@@ -45,7 +45,7 @@ class ExpectedTip(NamedTuple):
 
 
 @kernel
-def _at(cloth: ClothMap, u: float, v: float) -> int:
+def cloth_at(cloth: ClothMap, u: float, v: float) -> int:
     """`INSIDE` where the pixel has the glove's colours, `OUTSIDE` where not, `NOTHING` if
     unknown."""
     x, y = int(np.floor(u + 0.5)), int(np.floor(v + 0.5))
@@ -70,7 +70,7 @@ def _likelihood(
     for q, most in RINGS:
         for k in range(most):
             a = 2.0 * np.pi * k / most
-            what = _at(cloth, u + q * r * np.cos(a), v + q * r * np.sin(a))
+            what = cloth_at(cloth, u + q * r * np.cos(a), v + q * r * np.sin(a))
             count += 1
             if what != NOTHING:
                 known += 1
@@ -86,7 +86,7 @@ def _likelihood(
             a = 2.0 * np.pi * k / MANY_AROUND
             x, y = np.cos(a), np.sin(a)
             if (x * du + y * dv) / length > BACK:
-                what = _at(cloth, u + q * r * x, v + q * r * y)
+                what = cloth_at(cloth, u + q * r * x, v + q * r * y)
                 many += 1
                 free += what == OUTSIDE
                 if what != NOTHING:

@@ -172,6 +172,13 @@ class GuidedParams:
 
 
 @dataclass(frozen=True)
+class ClothParams:
+    """Measurement of fingers without sensors by the glove's cloth, with learned colours."""
+
+    fingers: bool = False
+
+
+@dataclass(frozen=True)
 class ChainParams:
     """The chain engine's settings. ``guide``, ``coupling``: `tracker.fusion.ablations.variants`."""
 
@@ -184,6 +191,7 @@ class ChainParams:
     bundle: BundleParams = field(default_factory=BundleParams)
     synergy: SynergyParams = field(default_factory=SynergyParams)
     guided: GuidedParams = field(default_factory=GuidedParams)
+    cloth: ClothParams = field(default_factory=ClothParams)
 
 
 def with_measured_noise(params: ChainParams, glove: GloveModel) -> ChainParams:

@@ -15,6 +15,7 @@ from tracker.fusion.chain.params import NoiseParams
 from tracker.fusion.chain.propagate import rates_now
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.output.completion import ActiveSegments, Completion
+from tracker.fusion.output.measured_fingers import MeasuredFingers
 from tracker.fusion.output.motion import Rates, linked_rates, motion_of
 from tracker.fusion.output.output import (
     INFERRED,
@@ -37,6 +38,7 @@ class ShownHand:
         self._layout, self._noise = layout, noise
         self.confidence = HandConfidence(layout, distal)
         self._output = HandOutput(layout, self.confidence.ends.driven)
+        self._fingers: MeasuredFingers | None = None
 
     @property
     def complete(self) -> Completion:
@@ -50,6 +52,19 @@ class ShownHand:
     def trust(self, own: Synergies, posture: Array) -> None:
         """Sets the covariance of the end joints to that of these synergies plus (d,) rad."""
         self.confidence.ends.trust(own, posture)
+
+    def show_fingers(self, fingers: MeasuredFingers | None) -> None:
+        """Sets the fingers that were measured in images; None if there are none."""
+        self._fingers = fingers
+        if fingers is None:
+            self._output.complete.measure({}, {})
+            return
+        angles: dict[int, float] = {}
+        origin: dict[int, Array] = {}
+        for row, values, at in zip(fingers.rows, fingers.angles, fingers.origin, strict=True):
+            angles.update(zip(row.columns, values.tolist(), strict=True))
+            origin[row.segments[0]] = at
+        self._output.complete.measure(angles, origin)
 
     # ---- messages
 
@@ -70,6 +85,8 @@ class ShownHand:
         found = self._output.fields(*active, sensed, np.sqrt(variance))
         if found is None:
             return self._output.nothing(t)
+        if self._fingers is not None:
+            found = self._fingers.judged(found, self._output.keypoints, t, float(variance[0]))
         found = found._replace(state=inferred(found.state, found.sd, sure.saved.most_sd))
         motion = None if packet is None else self._motion(t, found, active, state, past, packet)
         return Estimate(t, tracking, *found, motion)

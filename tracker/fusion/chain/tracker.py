@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 
 from tracker.base.records import record
 from tracker.fusion.chain.calibration.wearer import WearerSavedState
+from tracker.fusion.chain.cloth_fingers import ClothFingers, ClothFingersSavedState
 from tracker.fusion.chain.confidence import ConfidenceSavedState
 from tracker.fusion.chain.distal import DistalSegments
 from tracker.fusion.chain.filter import ChainFilter, FilterSavedState
@@ -50,6 +51,7 @@ class TrackerSavedState:
     shown: ConfidenceSavedState
     guided: GuidedSavedState = field(default_factory=GuidedSavedState)
     tips: TipBendsSavedState = field(default_factory=TipBendsSavedState)
+    fingers: ClothFingersSavedState = field(default_factory=ClothFingersSavedState)
 
 
 class ChainTracker:
@@ -72,6 +74,7 @@ class ChainTracker:
         self.shown = ShownHand(layout, params.noise, distal)
         self.confidence = self.shown.confidence
         self._tips = TipBends(layout, rig, distal, self.shown)
+        self._fingers = ClothFingers(layout, rig, self.shown)
         shows = Shows(self.shown, self._recognition, self._tips)
         self.wearer = KnownWearer(layout, rig, params, self.filter, distal, shows)
         self._second = SecondLook(
@@ -113,6 +116,7 @@ class ChainTracker:
         learned = self.wearer.learn()
         self.confidence.drifted(self.state)
         self.confidence.aged(self.state)
+        self._fingers.no_image(self.state.t)
         return learned
 
     # ---- images
@@ -167,10 +171,12 @@ class ChainTracker:
         self.filter.correct(self._recognition.rows(self.state, image, found))
 
     def _look_for_tips(self, image: SeenImage) -> None:
-        """Measure the end joints in the outline of the glove."""
+        """Measure the end joints, and fingers without sensors, in the outline of the glove."""
         own = self.wearer.guided.synergies
         if self._tips.image(self.state, image.frame, image.pose, own, image.exposure):
             self.wearer.show()
+        if self._params.cloth.fingers:
+            self._fingers.image(self.state, image.frame, image.pose)
 
     def _search_again(self, image: SeenImage, found: Recognised) -> Recognised:
         """Move to a better pose where the images show one; otherwise change nothing."""
@@ -221,6 +227,7 @@ class ChainTracker:
         # 2. Continue from there, with the frozen calibration if any.
         self.filter.adopt(started)
         self._tips.forget()
+        self._fingers.forget()
         self.wearer.begun(known)
         self.wearer.show()
         self._judge.started(frame.t)
@@ -270,6 +277,7 @@ class ChainTracker:
             self.confidence.saved,
             self.wearer.guided.saved,
             self._tips.saved,
+            self._fingers.saved,
         )
 
     def restore(self, saved: TrackerSavedState) -> None:
@@ -278,5 +286,6 @@ class ChainTracker:
         self._recognition.saved = saved.recognition
         self.wearer.calibration.saved, self.wearer.guided.saved = saved.wearer, saved.guided
         self._tips.saved = saved.tips
+        self._fingers.restore(saved.fingers)
         self.wearer.show()
         self.confidence.restore(saved.shown, self.state)

@@ -6,6 +6,7 @@ a hundred calls per second.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -23,7 +24,8 @@ class HandTables(NamedTuple):
     of a joint's abduction, flexion and twist among the angles, -1 for none; limits (J, 2) rad of
     the angles; of the synergies links (k, 2), an angle and the one that drives it, and gains (k, 2)
     ratio and offset (rad); row (S,) among the active segments, -1 for none; lateral (S,) rad, fixed
-    abduction of a segment that has no such joint axis."""
+    abduction of a segment that has no such joint axis; measured (J,) rad, angles that were measured
+    apart from the filter, NaN for the others."""
 
     parent: IntVector
     origin: Matrix
@@ -34,6 +36,7 @@ class HandTables(NamedTuple):
     gains: Matrix
     row: IntVector
     lateral: Vector
+    measured: Vector
 
 
 class ActiveSegments(NamedTuple):
@@ -65,12 +68,24 @@ class Completion:
             np.array([[s.ratio, s.offset] for s in synergies]).reshape(-1, 2),
             row,
             np.zeros(len(hand.segments)),
+            np.full(len(hand.angle_limits), np.nan),
         )
+        self._nominal = self.tables
 
     def wear(self, gains: Array, lateral: Array) -> None:
         """Sets a wearer's own synergies (k, 2) and ``lateral`` (S,)."""
         gains = np.concatenate([gains, self._anatomical])
         self.tables = self.tables._replace(gains=gains, lateral=lateral)
+
+    def measure(self, angles: Mapping[int, float], origin: Mapping[int, Array]) -> None:
+        """Sets angles (rad) by their columns, and origins (3,) m of segments by their rows, that
+        were measured apart from the filter; what is not given follows the hand file again."""
+        measured, origins = self._nominal.measured.copy(), self._nominal.origin.copy()
+        for column, angle in angles.items():
+            measured[column] = angle
+        for row, at in origin.items():
+            origins[row] = at
+        self.tables = self.tables._replace(measured=measured, origin=origins)
 
     def __call__(
         self, R: Array, p: Array, scale3: Array
@@ -101,7 +116,7 @@ def complete(
     hand: HandTables, active: ActiveSegments
 ) -> tuple[Stack, Matrix, Matrix, Vector, BoolVector]:
     """`Completion` of active segments."""
-    parent, origin, R_rest, columns, limits, links, gains, row, lateral = hand
+    parent, origin, R_rest, columns, limits, links, gains, row, lateral, measured = hand
     R, p, scale3 = active
     n, n_angles = len(parent), len(limits)
     R_all, p_all, scale = np.empty((n, 3, 3)), np.empty((n, 3)), np.empty((n, 3))
@@ -117,6 +132,10 @@ def complete(
                 if columns[i, k] >= 0:
                     angles[columns[i, k]] = values[k]
                     known[columns[i, k]] = True
+    for j in range(n_angles):
+        if not known[j] and not np.isnan(measured[j]):
+            angles[j] = min(max(measured[j], limits[j, 0]), limits[j, 1])
+            known[j] = True
     for _ in range(len(links)):  # 2. synergies, which may be chained
         for k in range(len(links)):
             i, j = links[k, 0], links[k, 1]

@@ -1,0 +1,206 @@
+"""Ring and little finger, which carry no sensors, measured by the cloth of a drawn hand."""
+
+import copy
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from tests.cloth_masks import cloth_of, looked_at
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
+from tracker.fusion.chain.cloth_fingers import APART, LASTS, ClothFingers
+from tracker.fusion.chain.confidence import MEASURED_SD
+from tracker.fusion.chain.distal import DistalSegments
+from tracker.fusion.chain.kinematics import segment_positions
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.params import ChainParams, ClothParams, SynergyParams
+from tracker.fusion.chain.shown import ShownHand
+from tracker.fusion.chain.state import ChainState, initial_state
+from tracker.fusion.output.output import Sensed
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import (
+    Array,
+    BlobFrame,
+    Blobs,
+    CameraPose,
+    Estimate,
+    ImuSample,
+    Tracking,
+    Validity,
+)
+from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.scenario import Simulation
+from tracker.vision.rig import StereoRig, default_pose, ideal_rig
+
+CAMERA = CameraPose(default_pose().R_GC, np.array([-0.11, 0.0, 0.37]))
+IMAGES = 4
+TIPS = "ring_tip", "little_tip"
+
+
+def outline(hand: HandModel, rig: StereoRig, R: Array, p: Array, right: bool) -> NDArray[np.bool_]:
+    """Of a hand whose segments have R_GB (S, 3, 3) and p_GB (S, 3) m."""
+    x, y = looked_at(rig.left.height, rig.left.width)
+    mask, pose = np.zeros(x.shape, bool), rig.pose
+    for k, s in enumerate(hand.segments):
+        half, is_tip = max(s.width / 2 - s.radius, 0.0), s.name.endswith("distal")
+        length = s.length - (s.radius if is_tip else 0.0)
+        for side in np.linspace(-half, half, 5 if half else 1):
+            ends = p[k] + np.array([[0, side, 0], [length, side, 0]]) @ R[k].T
+            p_C = (ends - pose.p_GC) @ pose.R_GC
+            (u, v), b = rig.project(p_C, right)
+            du, dv = b - (u, v)
+            t = np.clip(((x - u) * du + (y - v) * dv) / (du**2 + dv**2), 0, 1)
+            r = s.radius * rig.fx / p_C[:, 2].mean()
+            mask |= np.hypot(x - u - t * du, y - v - t * dv) <= r
+    return mask
+
+
+class Scene:
+    """A flat hand whose ring and little finger are bent by ``bent`` degrees (MCP, PIP joint)."""
+
+    def __init__(self, hand: HandModel, glove: GloveModel, bent: dict[str, tuple[float, float]]):
+        self.layout = ChainLayout(hand, glove)
+        self.rig: StereoRig = ideal_rig(pose=CAMERA)
+        self.state: ChainState = initial_state(self.layout)
+        self.state.P = 1e-6 * np.eye(len(self.state.P))
+        distal = DistalSegments(self.layout, SynergyParams())
+        self.shown = ShownHand(self.layout, ChainParams().noise, distal)
+        self.shown.confidence.saved.tip_sd = self.shown.confidence.ends(self.state)
+        self.fingers = ClothFingers(self.layout, self.rig, self.shown)
+        angles = self._complete()[3].copy()
+        for finger, (mcp, pip) in bent.items():
+            for joint, degrees in (("mcp", mcp), ("pip", pip), ("dip", 0.67 * pip)):
+                angles[hand.angle_index[f"{finger}_{joint}_flexion"]] = np.deg2rad(degrees)
+        R, p = self._complete()[:2]
+        self.R, self.p = hand.forward(angles, R[hand.root], p[hand.root])
+
+    def _complete(self) -> tuple[Array, ...]:
+        p_GB = segment_positions(self.state, self.layout)
+        return self.shown.complete(self.state.R_GB, p_GB, self.state.scale3())
+
+    def tip(self, name: str) -> Array:
+        hand = self.layout.hand
+        s = hand.index[name.replace("tip", "distal")]
+        return self.p[s] + self.R[s][:, 0] * hand.segments[s].length
+
+    def image(self, right: bool, background: bool = False) -> Blobs:
+        """The outline of the whole hand, or cloth everywhere."""
+        mask = outline(self.layout.hand, self.rig, self.R, self.p, right) | background
+        none = Blobs.empty()
+        return Blobs(none.uv, none.size, none.hue, none.score, cloth_of(mask))
+
+    def look(self, background: bool = False) -> Estimate:
+        left, right = (self.image(side, background) for side in (False, True))
+        for _ in range(IMAGES):
+            self.state.t += 1.1 * APART
+            self.fingers.image(
+                self.state, BlobFrame(self.state.t, self.state.t, (), left, right), CAMERA
+            )
+        return self.estimate()
+
+    def estimate(self) -> Estimate:
+        sensed = Sensed(np.ones(len(self.layout.active), np.int64), Tracking.TRACKING)
+        confidence = self.shown.confidence
+        confidence.sensed = lambda t, tracking: sensed  # type: ignore[method-assign]
+        return self.shown.estimate(self.state, self.state.t, Tracking.TRACKING, self.state)
+
+    def point(self, estimate: Estimate, name: str) -> tuple[float, float, int]:
+        """Error and sd (m) and state of a fingertip."""
+        k = self.layout.glove.keypoint_names(self.layout.hand).index(name)
+        off = float(np.linalg.norm(estimate.keypoints[k] - self.tip(name)))
+        return off, float(estimate.keypoint_sd[k]), int(estimate.keypoint_state[k])
+
+
+@pytest.mark.parametrize("bent", [(30.0, 0.0), (-10.0, 20.0)])
+def test_fingers_are_measured_that_do_not_follow_their_neighbours(
+    hand: HandModel, glove: GloveModel, bent: tuple[float, float]
+) -> None:
+    scene = Scene(hand, glove, {"ring": (0.0, 0.0), "little": bent})
+    before = scene.point(scene.estimate(), "little_tip")
+    after = scene.look()
+    for name in TIPS:
+        off, sd, _ = scene.point(after, name)
+        assert off < 0.012  # the accuracy expected of a finger in plain sight
+        assert off < 3 * sd
+    assert scene.point(after, "little_tip")[0] < max(0.5 * before[0], 0.006)
+    assert scene.point(after, "ring_tip")[2] == int(Validity.MEASURED)
+    assert before[2] == int(Validity.INFERRED)
+    assert scene.point(after, "ring_tip")[2] == int(Validity.MEASURED)
+
+
+def test_nothing_is_claimed_where_the_background_has_the_gloves_colours(
+    hand: HandModel, glove: GloveModel
+) -> None:
+    scene = Scene(hand, glove, {"ring": (0.0, 0.0), "little": (40.0, 50.0)})
+    before = scene.estimate()
+    after = scene.look(background=True)
+    assert not len(scene.fingers.saved.posterior)
+    assert np.array_equal(after.keypoints, before.keypoints)
+    assert np.array_equal(after.keypoint_sd, before.keypoint_sd)
+
+
+def test_hidden_fingers_are_inferred(hand: HandModel, glove: GloveModel) -> None:
+    """Under the palm, as in a fist."""
+    scene = Scene(hand, glove, {"ring": (95.0, 100.0), "little": (95.0, 100.0)})
+    for name in TIPS:
+        off, sd, state = scene.point(scene.look(), name)
+        assert state == int(Validity.INFERRED) and sd > MEASURED_SD
+        assert off < 3.5 * sd
+
+
+def test_a_saved_state_continues_identically(hand: HandModel, glove: GloveModel) -> None:
+    scene = Scene(hand, glove, {"ring": (0.0, 0.0), "little": (40.0, 50.0)})
+    scene.look()
+    other = Scene(hand, glove, {"ring": (0.0, 0.0), "little": (40.0, 50.0)})
+    other.state.t = scene.state.t
+    other.fingers.restore(copy.deepcopy(scene.fingers.saved))
+    assert np.array_equal(other.estimate().keypoints, scene.estimate().keypoints)
+    assert np.array_equal(other.look().keypoints, scene.look().keypoints)
+
+
+def test_fingers_follow_their_neighbours_again_without_images(
+    hand: HandModel, glove: GloveModel
+) -> None:
+    scene = Scene(hand, glove, {"ring": (0.0, 0.0), "little": (40.0, 50.0)})
+    before = scene.estimate()
+    scene.look()
+    scene.fingers.no_image(scene.state.t + LASTS / 2)
+    assert not np.array_equal(scene.estimate().keypoints, before.keypoints)
+    scene.fingers.no_image(scene.state.t + 1.1 * LASTS)
+    assert np.array_equal(scene.estimate().keypoints, before.keypoints)
+
+
+def with_cloth(sim: Simulation, frame: BlobFrame) -> BlobFrame:
+    """The frame as learned colours would show it."""
+    true = sim.truth(frame.t)
+    left, right = (
+        replace(side, cloth=cloth_of(outline(sim.hand, sim.rig, true.R_GB, true.p_GB, bool(c))))
+        for c, side in enumerate((frame.left, frame.right))
+        if side is not None
+    )
+    return replace(frame, left=left, right=right)
+
+
+def test_an_engine_measures_them_only_if_it_is_set_to(hand: HandModel, glove: GloveModel) -> None:
+    sim = Simulation(hand, glove, RandomPostures(hand, 1, duration=0.9), 1, fps=10)
+    messages = [
+        with_cloth(sim, m) if isinstance(m, BlobFrame) and m.t > 0.6 else m for m in sim.feed()
+    ]
+    row, shown = glove.keypoint_names(hand).index("ring_tip"), []
+    for enabled in (False, True):
+        params = ChainParams(cloth=ClothParams(fingers=enabled))
+        pipeline = Pipeline(hand, glove, sim.rig, Settings(chain=params))
+        for message in messages:
+            if isinstance(message, ImuSample):
+                last = pipeline.feed_imu(message)
+            else:
+                pipeline.feed_frame(message)
+        off = np.linalg.norm(last.keypoints[row] - sim.truth(last.t).keypoints[row])
+        assert off < 3 * last.keypoint_sd[row]
+        shown.append(last)
+    assert not ChainParams().cloth.fingers
+    assert not np.array_equal(shown[0].keypoints[row], shown[1].keypoints[row])
+    assert shown[1].keypoint_sd[row] < 0.75 * shown[0].keypoint_sd[row]

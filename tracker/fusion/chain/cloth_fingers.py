@@ -1,0 +1,237 @@
+"""Fingers without sensors, measured by the glove's cloth (docs/chain.md, "Fingers in the cloth").
+
+In addition to the filter, which does not depend on them. What is known of such a finger is a grid
+of probabilities (`finger_grid`); each image multiplies it by how well the finger explains the cloth
+that the sensed parts of the hand leave unexplained (`tracker.vision.finger_cloth`).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+import numpy as np
+
+from tracker.base.records import record
+from tracker.fusion.chain.finger_grid import GRID, FingerFit, aged, fit, prior
+from tracker.fusion.chain.finger_view import FingerView, KnownParts, finger_fit, finger_views
+from tracker.fusion.chain.kinematics import segment_positions
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.shown import ShownHand
+from tracker.fusion.chain.state import ChainState
+from tracker.fusion.output.anatomy import NEIGHBOURS, UNLOADED
+from tracker.fusion.output.measured_fingers import JOINTS, FingerRows, MeasuredFingers
+from tracker.hand.model import HandModel
+from tracker.hand.names import CHAINS, FINGERS
+from tracker.messages import Array, BlobFrame, CameraPose
+from tracker.vision.finger_cloth import ASIDE, BEND, FLEXION, Finger, finger_joints
+from tracker.vision.rig import StereoRig
+
+APART = 0.045  # s between two evaluated images
+INDEPENDENT_AFTER = 0.05  # s after which outlines are independent of each other
+LASTS = 0.3  # s after the last evaluated image for which fingers are shown as measured
+BODY_SD = 0.007  # m per axis, of what the grid does not contain: lengths, the hand's own pose
+HIDDEN_SD = 0.022  # m per axis, added where the cloth does not show the finger
+LEAST_RIM = 6.0  # the evidence is at most this many times what the outline contributes
+HIDDEN_BELOW, SEEN_FROM = 8.0, 12.0  # ln of the likelihood ratio of the finger to none
+
+
+@record(
+    "chain.cloth_fingers",
+    shapes={
+        "posterior": f"d {len(GRID)}",
+        "posture": "d 5",
+        "best": "d 5",
+        "angle_sd": "d 3",
+        "joint_variance": "d 4",
+        "evidence": "d",
+        "origin": "d 3",
+    },
+)
+@dataclass(eq=False)
+class ClothFingersSavedState:
+    """For d fingers: the posterior (d, G) of the cells of the grid; the mean posture (d, 5), the
+    most probable one (d, 5), and the sd (d, 3) rad of flexion, abduction and bend; the variance
+    (d, 4) m² per axis of its joints and its tip; the evidence (d,), ln of a likelihood ratio; the
+    origin (d, 3) of the first segment in its parent's nominal B, m; the time of the last evaluated
+    image, s, and whether it is shown."""
+
+    posterior: Array = field(default_factory=lambda: np.zeros((0, len(GRID))))
+    posture: Array = field(default_factory=lambda: np.zeros((0, 5)))
+    best: Array = field(default_factory=lambda: np.zeros((0, 5)))
+    angle_sd: Array = field(default_factory=lambda: np.zeros((0, 3)))
+    joint_variance: Array = field(default_factory=lambda: np.zeros((0, 4)))
+    evidence: Array = field(default_factory=lambda: np.zeros(0))
+    origin: Array = field(default_factory=lambda: np.zeros((0, 3)))
+    t: float = -np.inf
+    is_shown: bool = False
+
+
+class _Digit(NamedTuple):
+    """Segments of a finger without sensors, and the finger that it follows: either one of those
+    before it (``follows`` ≥ 0), or sensed, with these columns of its flexions among the angles."""
+
+    segments: tuple[int, int, int]
+    follows: int
+    columns: tuple[int, int]
+
+
+class _Hand(NamedTuple):
+    """The displayed hand: R_GB (S, 3, 3), p_GB (S, 3) m, scale (S, 3), angles (J,) rad."""
+
+    R: Array
+    p: Array
+    scale: Array
+    angles: Array
+
+
+class ClothFingers:
+    """For one hand with one glove; ``shown`` displays the result."""
+
+    def __init__(self, layout: ChainLayout, rig: StereoRig, shown: ShownHand) -> None:
+        self._layout, self._rig, self._shown = layout, rig, shown
+        self.digits = _digits(layout)
+        segments = [s for d in self.digits for s in d.segments]
+        self._known = KnownParts.of(layout.hand, segments, [d.segments[0] for d in self.digits])
+        self._rows = [FingerRows.of(layout.hand, d.segments) for d in self.digits]
+        self.saved = ClothFingersSavedState()
+
+    # ---- state
+
+    def forget(self) -> None:
+        """Reset, because the hand was found again."""
+        if len(self.saved.posterior):
+            self.restore(ClothFingersSavedState())
+
+    def restore(self, saved: ClothFingersSavedState) -> None:
+        """Continue from a saved state, which is not copied."""
+        self.saved = saved
+        self._show()
+
+    def no_image(self, t: float) -> None:
+        """Without images, fingers follow their neighbours again after a while."""
+        if self.saved.is_shown and t - self.saved.t > LASTS:
+            self.saved.is_shown = False
+            self._show()
+
+    def _show(self) -> None:
+        now = self.saved
+        if not now.is_shown:
+            self._shown.show_fingers(None)
+            return
+        angles = now.posture[:, [FLEXION, ASIDE, BEND, BEND]] * (1.0, 1.0, 1.0, UNLOADED)
+        # eq. 72
+        seen = np.clip((now.evidence - HIDDEN_BELOW) / (SEEN_FROM - HIDDEN_BELOW), 0.0, 1.0)
+        variance = now.joint_variance + BODY_SD**2
+        variance = variance + HIDDEN_SD**2 * (1.0 - seen[:, None]) * (np.arange(JOINTS) > 0)
+        self._shown.show_fingers(
+            MeasuredFingers(
+                now.t, tuple(self._rows), angles, now.origin, variance, now.angle_sd, seen >= 1.0
+            )
+        )
+
+    # ---- measurement
+
+    def image(self, state: ChainState, frame: BlobFrame, pose: CameraPose) -> None:
+        """Fits the fingers to the cloth around a hand that was just corrected."""
+        dt = state.t - self.saved.t
+        cloths = [b.cloth if b is not None else None for b in (frame.left, frame.right)]
+        if not self.digits or 0.0 <= dt < APART:
+            return
+        hand = _Hand(*self._complete(state))
+        fingers = [self._finger(d, hand, pose) for d in self.digits]
+        views = finger_views(
+            self._rig, pose, cloths, self._known.capsules(hand.R, hand.p, hand.scale), fingers
+        )
+        if not views:
+            self.no_image(state.t)
+            return
+        self._fit(hand, fingers, views, dt if dt >= 0.0 else np.inf, state.t)
+        self._show()
+
+    def _complete(self, state: ChainState) -> tuple[Array, Array, Array, Array]:
+        p_GB = segment_positions(state, self._layout)
+        return self._shown.complete(state.R_GB, p_GB, state.scale3())[:4]
+
+    def _finger(self, digit: _Digit, hand: _Hand, pose: CameraPose) -> Finger:
+        """The finger's geometry in C."""
+        model, root, first = self._layout.hand, self._layout.hand.root, digit.segments[0]
+        segments = [model.segments[s] for s in digit.segments]
+        base = hand.p[root] + hand.R[root] @ (hand.scale[root] * segments[0].origin)
+        palm = pose.R_GC.T @ hand.R[root]
+        return Finger(
+            pose.R_GC.T @ (base - pose.p_GC),
+            np.ascontiguousarray(palm),
+            np.ascontiguousarray(palm @ segments[0].R_rest),
+            np.array([s.length for s in segments]) * hand.scale[first, 0],
+            np.array([s.radius for s in segments]) * hand.scale[first, 1],
+            UNLOADED,
+        )
+
+    def _fit(
+        self, hand: _Hand, fingers: list[Finger], views: list[FingerView], dt: float, t: float
+    ) -> None:
+        """One finger after the other; each explains its part of the cloth to the others."""
+        d, before = len(fingers), self.saved
+        known = len(before.posterior) == d and dt < np.inf
+        now = ClothFingersSavedState(
+            np.zeros((d, len(GRID))), np.zeros((d, 5)), np.zeros((d, 5)), np.zeros((d, 3)),
+            np.zeros((d, 4)), np.zeros(d), np.zeros((d, 3)), t, is_shown=True,
+        )  # fmt: skip
+        share = min(dt / INDEPENDENT_AFTER, 1.0)
+        for k, digit in enumerate(self.digits):
+            later = range(k + 1, d if known else 0)
+            others = [(fingers[i], now.best[i]) for i in range(k)]
+            others += [(fingers[i], before.best[i]) for i in later]
+            alone = prior(*self._neighbour(digit, hand, now.posture))
+            start = aged(before.posterior[k], alone, dt) if known else alone
+            likelihoods = finger_fit(fingers[k], others, self._rig, views)
+            self._put(now, k, fingers[k], fit(start, likelihoods.of, share))
+            now.evidence[k] = min(now.evidence[k], LEAST_RIM * likelihoods.rim(now.best[k]))
+        root = self._layout.hand.root
+        for k, digit in enumerate(self.digits):
+            now.origin[k] = self._layout.hand.segments[digit.segments[0]].origin
+            now.origin[k, :2] += now.posture[k, :2] / hand.scale[root, :2]
+        self.saved = now
+
+    def _put(self, now: ClothFingersSavedState, k: int, finger: Finger, found: FingerFit) -> None:
+        """Summarizes the fit of the finger ``k``."""
+        mean = found.weights @ found.postures
+        joints, shown = finger_joints(found.postures, finger), finger_joints(mean[None], finger)
+        off = found.postures - mean
+        now.posterior[k], now.posture[k], now.evidence[k] = found.posterior, mean, found.evidence
+        now.best[k] = found.postures[int(np.argmax(found.weights))]
+        now.joint_variance[k] = found.weights @ ((joints - shown) ** 2).sum(axis=2) / 3
+        now.angle_sd[k] = np.sqrt(found.weights @ off[:, [FLEXION, ASIDE, BEND]] ** 2)
+
+    def _neighbour(self, digit: _Digit, hand: _Hand, postures: Array) -> tuple[float, float]:
+        """Flexions of the first two joints of the finger that a digit follows, rad."""
+        if digit.follows >= 0:
+            return float(postures[digit.follows, FLEXION]), float(postures[digit.follows, BEND])
+        return float(hand.angles[digit.columns[0]]), float(hand.angles[digit.columns[1]])
+
+
+def _digits(layout: ChainLayout) -> tuple[_Digit, ...]:
+    """Fingers of which no segment is estimated, each after the one that it follows."""
+    hand = layout.hand
+    out: dict[str, _Digit] = {}
+    for finger, other in NEIGHBOURS:
+        if finger in out or not _is_complete(hand, finger) or not _is_complete(hand, other):
+            continue
+        first, second, third = (hand.index[s] for s in CHAINS[finger])
+        sensed = [hand.index[s] in layout.row_of for s in CHAINS[other][:2]]
+        if {first, second, third} & set(layout.row_of) or not (other in out or all(sensed)):
+            continue
+        flexions = [hand.axis_columns[hand.index[s]][1] for s in CHAINS[other][:2]]
+        follows = list(out).index(other) if other in out else -1
+        out[finger] = _Digit((first, second, third), follows, (flexions[0], flexions[1]))
+    return tuple(out.values())
+
+
+def _is_complete(hand: HandModel, finger: str) -> bool:
+    """Whether the hand has all joint axes of a finger on its palm."""
+    rows = [hand.index.get(s, -1) for s in CHAINS[finger]]
+    if finger not in FINGERS or min(rows) < 0 or hand.parent[rows[0]] != hand.root:
+        return False
+    axes = [hand.axis_columns[r] for r in rows]
+    return min(axes[0][0], *(a[1] for a in axes)) >= 0

@@ -1,0 +1,194 @@
+"""The cloth around a hand as the cameras see it, and the parts of the hand that are sensed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracker.hand.model import HandModel
+from tracker.messages import Array, CameraPose, Cloth, IntArray
+from tracker.vision.cloth import cloth_map
+from tracker.vision.finger_cloth import (
+    EACH,
+    SAMPLES,
+    SPACING,
+    Finger,
+    cloth_window,
+    covered,
+    finger_evidence,
+    finger_joints,
+    finger_likelihoods,
+)
+from tracker.vision.rig import NEAREST, Camera, StereoRig
+from tracker.vision.tip_scan import INSIDE, OUTSIDE
+
+AHEAD = 0.02  # m from the knuckles along the palm, of the centre of a window
+LINES = 5  # capsules side by side that represent a broad segment
+PALM_START = np.array([0.017, 0.24, -0.009])  # of a metacarpal: m, share of the knuckle's y, m
+PALM_END = np.array([-0.003, 0.002, -0.008])  # m from the knuckle; y outwards
+PALM_RADIUS = 0.0135  # m
+ARM, ARM_WIDTH, ARM_RADIUS = 0.1, 0.02, 0.025  # m of the forearm that may have the glove's colours
+COVERED, UNCOVERED = 0.95, 0.02  # probabilities of samples that are on the hand, and beside it
+LEAST_ON_HAND, MOST_BESIDE = 0.7, 0.45  # shares of these samples with the glove's colours
+LEAST_SAMPLES = 200  # of each
+
+
+class KnownParts(NamedTuple):
+    """Capsules (k,) on the parts of a hand that are sensed: the segment of each, its ends (k, 2, 3)
+    m in the segment's nominal B, and its nominal radius (k,) m."""
+
+    segment: IntArray
+    ends: Array
+    radius: Array
+
+    @classmethod
+    def of(cls, hand: HandModel, without: Sequence[int], fingers: Sequence[int]) -> KnownParts:
+        """All segments ``without`` some, and the palm of the ``fingers`` (their first segments)."""
+        rows = [
+            (i, ((0.0, y, 0.0), (s.length, y, 0.0)), s.radius)
+            for i, s in enumerate(hand.segments)
+            if i not in without
+            for y in _across(s.width / 2 - s.radius if s.width > 0 else 0.0)
+        ]
+        for first in fingers:
+            x, y, z = hand.segments[first].origin
+            x0, share, z0 = PALM_START
+            end = (x + PALM_END[0], y + np.sign(y) * PALM_END[1], z + PALM_END[2])
+            rows.append((hand.root, ((x0, y * (1.0 - share), z0), end), PALM_RADIUS))
+        for side in (-1.0, 1.0):
+            start, end = (0.017, side * ARM_WIDTH, -0.01), (-ARM, side * ARM_WIDTH / 2, 0.0)
+            rows.append((hand.root, (start, end), ARM_RADIUS))
+        segment, ends, radius = zip(*rows, strict=True)
+        return cls(np.array(segment, np.int64), np.array(ends, float), np.array(radius, float))
+
+    def capsules(self, R: Array, p: Array, scale: Array) -> tuple[Array, Array]:
+        """Ends (k, 2, 3) m in G and radii (k,) m, for R_GB (S, 3, 3), p_GB (S, 3) m, scale (S, 3)
+        of the hand's segments."""
+        scaled = scale[self.segment, None] * self.ends
+        ends = p[self.segment, None] + np.einsum("kij,kej->kei", R[self.segment], scaled)
+        return ends, self.radius * scale[self.segment, 1]
+
+
+def _across(half: float) -> list[float]:
+    """m, of the capsules of a segment whose axes are up to ``half`` beside its own."""
+    return [0.0] if half <= 0.0 else np.linspace(-half, half, LINES).tolist()
+
+
+class FingerView(NamedTuple):
+    """One camera's window: shift (m), first sample (u, v) and distance between samples (rectified
+    px) of `finger_likelihoods`; classes (n, n); known (n, n) probability that a known part covers a
+    sample."""
+
+    window: Array
+    classes: NDArray[np.uint8]
+    known: Array
+
+    @property
+    def separates(self) -> bool:
+        """Whether cloth differs from what is beside the hand."""
+        on, beside = self.known > COVERED, self.known < UNCOVERED
+        seen = (self.classes == INSIDE) | (self.classes == OUTSIDE)
+        shares = []
+        for samples in (on & seen, beside & seen):
+            count = int(samples.sum())
+            if count < LEAST_SAMPLES:
+                return False
+            shares.append(float((self.classes[samples] == INSIDE).sum()) / count)
+        return shares[0] >= LEAST_ON_HAND and shares[1] <= MOST_BESIDE
+
+
+def finger_views(
+    rig: StereoRig,
+    pose: CameraPose,
+    cloths: Sequence[Cloth | None],
+    known: tuple[Array, Array],
+    fingers: Sequence[Finger],
+) -> list[FingerView]:
+    """The cameras in whose images the glove's cloth differs from its surroundings."""
+    ends = (known[0] - pose.p_GC) @ pose.R_GC
+    centre = np.mean([f.base + AHEAD * f.palm[:, 0] for f in fingers], axis=0)
+    if min(centre[2], ends[..., 2].min()) <= 3 * NEAREST:
+        return []
+    views = [
+        _view(rig, bool(c), cloth, centre, (ends, known[1]))
+        for c, cloth in enumerate(cloths)
+        if cloth is not None
+    ]
+    return [v for v in views if v.separates]
+
+
+def _view(
+    rig: StereoRig, right: bool, cloth: Cloth, centre: Array, known: tuple[Array, Array]
+) -> FingerView:
+    """A window about ``centre`` (3,) m in C, with the ``known`` capsules in C."""
+    camera: Camera = rig.right if right else rig.left
+    pitch = SPACING * rig.fx / centre[2]
+    start = rig.project(centre[None], right=right)[0] - SAMPLES / 2 * pitch
+    steps = np.arange(0, SAMPLES + 1, EACH) * pitch
+    nodes = np.stack(np.meshgrid(start[0] + steps, start[1] + steps), axis=-1)
+    raw = camera.unrectify(nodes.reshape(-1, 2)).reshape(nodes.shape)
+    window = np.array([rig.baseline if right else 0.0, start[0], start[1], pitch])
+    drawn = _drawn(rig, right, window, *known)
+    return FingerView(
+        window, cloth_window(cloth_map(cloth), np.ascontiguousarray(raw)), covered(drawn, SAMPLES)
+    )
+
+
+def _drawn(rig: StereoRig, right: bool, window: Array, ends: Array, radius: Array) -> Array:
+    """(k, 5) capsules in the samples of a window, from ends (k, 2, 3) m in C and radii (k,) m."""
+    uv = (rig.project(ends, right=right) - window[1:3]) / window[3]
+    size = radius * rig.fx / ends[..., 2].mean(axis=1) / window[3]
+    return np.concatenate([uv.reshape(-1, 4), size[:, None]], axis=1)
+
+
+class FingerLikelihoods(NamedTuple):
+    """ln of the likelihood ratios (eq. 70) of a ``finger``, as seen in ``windows`` (c, 4) with the
+    maps (c, 2, n, n) of `finger_evidence`."""
+
+    finger: Finger
+    rig: StereoRig
+    windows: Array
+    maps: Array
+
+    def of(self, postures: Array) -> Array:
+        """(n,) of the postures (n, 5)."""
+        return self._of(postures, self.maps)
+
+    def rim(self, posture: Array) -> float:
+        """The part of a posture (5,) that the rim contributes: negative where the finger is in
+        front of other things with the glove's colours."""
+        rims = self.maps.copy()
+        rims[:, 0] = 0.0
+        return float(self._of(posture[None], rims)[0])
+
+    def _of(self, postures: Array, maps: Array) -> Array:
+        return finger_likelihoods(
+            np.ascontiguousarray(postures), self.finger, self.rig.intrinsics, self.windows, maps
+        )
+
+
+def finger_fit(
+    finger: Finger,
+    others: Sequence[tuple[Finger, Array]],
+    rig: StereoRig,
+    views: Sequence[FingerView],
+) -> FingerLikelihoods:
+    """The likelihoods where ``others`` are the other fingers without sensors in their assumed
+    postures (5,)."""
+    maps = []
+    for view in views:
+        left, right = 1.0 - view.known, bool(view.window[0] > 0.0)
+        for other, posture in others:
+            joints = finger_joints(posture[None], other)[0]
+            if joints[:, 2].min() > 3 * NEAREST:
+                ends = np.stack([joints[:-1], joints[1:]], axis=1)
+                drawn = _drawn(rig, right, view.window, ends, other.radius)
+                left = left * (1.0 - covered(drawn, SAMPLES))
+        pitch = float(view.window[3])
+        radius = float(finger.radius.mean()) / SPACING
+        maps.append(finger_evidence(view.classes, 1.0 - left, radius, pitch**2))
+    windows = np.array([v.window for v in views])
+    return FingerLikelihoods(finger, rig, windows, np.array(maps))
