@@ -60,17 +60,17 @@ class LocalFloat(float):
 
 
 def notice_text(what: Notice) -> str:
-    """What the engine reports, in the user's language."""
+    """Translates a notice of the engine to the user's language."""
     return render(what, Language(_word, _Catalogue.decimal))
 
 
 def error_text(error: BaseException) -> str:
-    """What an error reports, in the user's language."""
+    """Translates an error's notice to the user's language."""
     return notice_text(notice_of(error))
 
 
 def event_text(event: Event) -> str:
-    """What an event reports, in the user's language; in English where it was recorded without a
+    """Translates an event's notice to the user's language; English if it was recorded without a
     notice, or with one that this version does not have. A note is the user's own text."""
     if event.notice is None:
         return event.text

@@ -1,1 +1,1 @@
-"""What runs behind the window: the demo, devices, a replayed session."""
+"""Engines behind the window: the demo, devices, a replayed session."""

@@ -64,7 +64,7 @@ class Exchanged:
         return self._inner.stamp() if isinstance(self._inner, HasStamps) else math.nan
 
     def shortfalls(self) -> list[Notice]:
-        """What the devices grant less than was requested."""
+        """Requests that the devices do not fulfil."""
         inner = self._inner
         return inner.shortfalls() if isinstance(inner, HasShortfalls) else []
 

@@ -164,7 +164,7 @@ class EngineHost(QObject):
         self.shut_down()
         self.recording.wait()
 
-    # --- what the user asks
+    # --- requests of the user
 
     def _write_note(self, text: str, t: float, data: Mapping[str, object]) -> None:
         if self._setup is not None:
@@ -216,7 +216,7 @@ class EngineHost(QObject):
         setup.live.hand.command(work)
         return True
 
-    # --- what panels see
+    # --- data for panels
 
     def recent(self) -> list[Message]:
         """Samples and estimates of the hand shown, of the last seconds, in the order of arrival."""

@@ -59,7 +59,7 @@ class GlovesFound:
 
 def find_hand_gloves(progress: JobProgress, settings: AppSettings) -> GlovesFound:
     """Search for gloves: for both if both hands' gloves were set up, else for the first that
-    answers. Raises DeviceError if there is none."""
+    responds. Raises DeviceError if there is none."""
     both = settings.both_hands or len(set(bound_sides(settings))) > 1
     named = [port for port in (settings.port, *(ports_of(settings) if both else ())) if port]
     reports, troubles = probe_ports(progress, named, settings.baud, not both)

@@ -1,4 +1,4 @@
-"""What the window uses of an engine and of the devices behind it.
+"""The interfaces of engines and devices that the window uses.
 
 Every engine, live or replayed, is a `WindowEngine` whose hands are `TrackedHand`. A live one is a
 `LiveEngine` too, whose hands take commands (`CommandedHand`); a recording has a `Player`.
@@ -93,7 +93,7 @@ class TrackedHand(Protocol):
 
 
 class CommandedHand(Protocol):
-    """What a live engine can be asked to do with one hand."""
+    """Requests to a live engine for one hand."""
 
     def command(self, work: Callable[[Engine], None]) -> None:
         """Run ``work`` on the engine's own thread."""
@@ -136,7 +136,7 @@ class SimulatedWearer(Protocol):
 
 
 class WindowEngine(Protocol):
-    """What every engine offers to the window."""
+    """The interface of every engine to the window."""
 
     def start(self) -> None: ...
 

@@ -1,4 +1,4 @@
-"""Commands of the calibration panel to the engine; answers arrive in the window's thread."""
+"""Commands of the calibration panel to the engine; replies arrive in the window's thread."""
 
 from __future__ import annotations
 

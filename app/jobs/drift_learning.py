@@ -84,7 +84,7 @@ class DriftLearner(QObject):
         except GlovetrackError as error:
             self._host.error.emit(error_text(error))
             return
-        self._collected[hand.side] = WarmthCollector()  # it is part of what is known from now on
+        self._collected[hand.side] = WarmthCollector()  # it is included in later results
         self._report(
             notice(
                 "imu_drift.learned",
@@ -101,5 +101,6 @@ class DriftLearner(QObject):
 
 
 def _known(hand: EngineSetup) -> dict[str, ImuDrift | None]:
-    """What the glove's file contains now, which is newer than the one in use after a recording."""
+    """The current content of the glove's file, which after a recording is newer than the one in
+    use."""
     return {imu.name: imu.drift for imu in own_model(hand).imus}

@@ -92,7 +92,7 @@ class Openings(Generic[T]):
         self._jobs[name] -= 1
 
     def _close_outdated(self, name: str, wish: int) -> None:
-        """Close what was opened under ``name`` for an older request; called in a job."""
+        """Close objects that were opened under ``name`` for an older request; called in a job."""
         for key in [k for k in list(self._fresh) if k[0] == name and k[1] < wish]:
             self._fresh.pop(key).close()
 

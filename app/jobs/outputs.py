@@ -162,10 +162,11 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
         host.running_changed.connect(lambda _on: self._apply_all())
         host.closed.connect(self._apply_all)
 
-    # --- what the user asks
+    # --- requests of the user
 
     def use(self, asked: StreamSettings) -> None:
-        """Turn on what the command line asks for; not remembered unless something is changed."""
+        """Enable the streams of the command line; they are not stored unless a setting is
+        changed."""
         for name in asked.on:
             kind = self.kinds[name]
             options = asked.options(kind)
@@ -178,7 +179,7 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
                 self.settings = self.settings.changed(**{key: asked.table[key]})
 
     def set_joints(self, joints: str) -> None:
-        """Send our keypoints or OpenXR's joints; what runs is opened again with them."""
+        """Send our keypoints or OpenXR's joints; running streams are opened again with them."""
         self._change(self._on(), joints=joints)
 
     def file(self, name: str) -> Path:

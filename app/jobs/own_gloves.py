@@ -1,4 +1,4 @@
-"""Writes what was measured of a glove into its own file, which is used from then on."""
+"""Writes measurements of a glove to its own file, which is used from then on."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def own_model(setup: EngineSetup) -> GloveModel:
 
 
 def own_vibration(setup: EngineSetup) -> dict[str, ImuVibration | None]:
-    """What the own file contains of the motors, by the names of the IMUs."""
+    """The motors' values in the own file, by the names of the IMUs."""
     return {imu.name: imu.vibration for imu in own_model(setup).imus}
 
 

@@ -1,4 +1,4 @@
-"""Remote control: servers that receive requests of other programs, and the answers to them."""
+"""Remote control: servers that receive requests of other programs, and the replies."""
 
 from __future__ import annotations
 

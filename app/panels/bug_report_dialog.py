@@ -1,4 +1,4 @@
-"""A dialog that asks what a bug report may contain, and lists its contents."""
+"""A dialog in which the user selects the content of a bug report."""
 
 from __future__ import annotations
 

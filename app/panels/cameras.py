@@ -190,7 +190,7 @@ class CamerasPanel(Panel):
         self.left.setVisible(alone or choice != RIGHT_ONLY)
         self.right.setVisible(not alone and choice != LEFT_ONLY)
 
-    # --- what it shows
+    # --- displayed data
 
     def refresh(self, view: Snapshot | None) -> None:
         if view is None or view.frame is None:

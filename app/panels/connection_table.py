@@ -66,7 +66,7 @@ class ConnectionTable(QGridLayout):
         self.addWidget(widget, row, 1)
 
     def show_wanted(self, name: str, on: bool, port: int | None) -> None:
-        """Show the settings without emitting changes; a port that is being edited stays."""
+        """Show the settings without emitting changes; a port that is being edited is unchanged."""
         box = self.boxes[name]
         with QSignalBlocker(box):
             box.setChecked(on)

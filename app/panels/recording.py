@@ -221,7 +221,7 @@ class RecordingPanel(Panel):
         form.addRow(self.warning)
         return form
 
-    # --- what the user does
+    # --- actions of the user
 
     def toggle(self) -> None:
         """Start or stop a recording, as the key does."""
@@ -261,7 +261,7 @@ class RecordingPanel(Panel):
         elif self._note_t is None:
             self._note_t = self.host.notes.now()
 
-    # --- what it shows
+    # --- displayed data
 
     def _recording_changed(self, on: bool) -> None:
         if not on:

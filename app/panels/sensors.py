@@ -189,7 +189,7 @@ class SensorsPanel(Panel):
             for k in range(min(len(plot.curves), len(self.toggles))):
                 plot.show_curve(k, self.toggles[k].isChecked())
 
-    # --- what it shows
+    # --- displayed data
 
     def refresh(self, view: Snapshot | None) -> None:
         if view is None:

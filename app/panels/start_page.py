@@ -84,7 +84,7 @@ class StartPage(QWidget):
         grid.setColumnStretch(0, 1)
         for i, (title, text, signal) in enumerate(cards):
             grid.addWidget(_card(title, text, signal), 0, i + 1)
-            grid.setColumnStretch(i + 1, CARD)  # takes all space up to its own width
+            grid.setColumnStretch(i + 1, CARD)  # uses all space up to its own width
         grid.setColumnStretch(len(cards) + 1, 1)
         return grid
 
@@ -131,7 +131,7 @@ class StartPage(QWidget):
         self.show_earlier(Earlier((), ()))
         return part
 
-    # --- what it shows
+    # --- displayed data
 
     def show_earlier(self, earlier: Earlier) -> None:
         """Show recent sessions and interrupted recordings."""
@@ -156,7 +156,7 @@ class StartPage(QWidget):
             text += " " + self.tr("{} more are in the library.").format(len(paths) - 1)
         self.unfinished_text.setText(text)
 
-    # --- what the user does
+    # --- actions of the user
 
     def _chosen(self, item: QListWidgetItem) -> None:
         self.recent_asked.emit(item.data(Qt.ItemDataRole.UserRole))

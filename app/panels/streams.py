@@ -318,7 +318,7 @@ class StreamsPanel(Panel):
                 self.tr("The sphere was not placed: the index fingertip is not visible.")
             )
 
-    # --- what it shows
+    # --- displayed data
 
     def _show(self) -> None:
         for name in self._outputs.kinds:

@@ -1,4 +1,4 @@
-"""Reports to ``glovetrack doctor`` what draws the 3D view."""
+"""Reports the renderer of the 3D view to ``glovetrack doctor``."""
 
 from __future__ import annotations
 

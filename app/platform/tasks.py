@@ -121,8 +121,8 @@ class TaskOwner(QObject):
         """Run ``job`` in its own thread. In this thread, ``progressed`` is called with its
         progress, ``done`` with its result or ``failed`` with a message, and ``ended`` in any case:
         all are connected before the job starts."""
-        # No child of the owner: what is connected to a task may hold the last reference to the
-        # owner, which would delete the task once more, in the middle of the task's own deletion.
+        # Not a child of the owner: an object connected to a task may have the last reference to the
+        # owner, whose deletion would delete the task a second time, during its own deletion.
         task = RunningJob(title, job)
         if progressed is not None:
             task.progressed.connect(progressed, Qt.ConnectionType.QueuedConnection)

@@ -20,7 +20,7 @@ PREFIX = f"{CONTEXT}_"
 
 
 class Catalogue(QTranslator):
-    """A ``.qm`` file whose words all stand in one context."""
+    """A ``.qm`` file whose texts are all in one context."""
 
     def translate(
         self,
@@ -29,7 +29,7 @@ class Catalogue(QTranslator):
         disambiguation: str | None = None,
         n: int = -1,
     ) -> str | None:
-        """None, which Qt takes for "not here", where the file does not hold ``text``."""
+        """Returns None, which means "not found" to Qt, if the file does not contain ``text``."""
         return super().translate(CONTEXT, text, disambiguation, n) or None
 
 

@@ -1,5 +1,5 @@
-"""Names of the gloves' own files: copies of their glove files in the user's folder, with what was
-measured of each glove."""
+"""Names of the gloves' own files: copies of their glove files in the user's folder, with the
+measurements of each glove."""
 
 from __future__ import annotations
 

@@ -64,7 +64,8 @@ def restore(binned: Sequence[Binned]) -> None:
 def _move_back(there: Path, path: Path) -> None:
     try:
         shutil.move(there, path)
-        # freedesktop.org's Trash specification 1.0 keeps a description of each file next to them
+        # freedesktop.org's Trash specification 1.0: a description of each file is stored next to
+        # them
         (there.parent.parent / "info" / f"{there.name}.trashinfo").unlink(missing_ok=True)
     except OSError as error:
         raise disk_error(path, error) from error

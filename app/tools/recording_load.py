@@ -1,4 +1,4 @@
-"""``python -m app.tools.recording_load``: what recording costs, and whether anything is left out.
+"""``python -m app.tools.recording_load``: the cost of recording, and whether anything is left out.
 
 Runs the demo off-screen with everything visible, without and with a recording, at each of
 ``--fps``, and writes what it measured as JSON: images left out, refreshes of the window, latency,

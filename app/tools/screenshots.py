@@ -188,7 +188,7 @@ def _is_good(view: Snapshot | None, spread: bool) -> bool:
 
 
 def _is_open(view: Snapshot) -> bool:
-    """Whether all fingertips are far from the wrist: a fist shows little of what is tracked."""
+    """Whether all fingertips are far from the wrist: a fist hides most keypoints."""
     names = view.setup.glove.keypoint_names(view.setup.hand)
     tips = [i for i, name in enumerate(names) if name.endswith("_tip")]
     assert view.estimate is not None

@@ -1,4 +1,5 @@
-"""``python -m app.tools.soak``: does the window leak, and does the demo keep its pace?
+"""``python -m app.tools.soak``: checks for leaks of the window, and whether the demo keeps its
+rate.
 
 ``--cycles 200`` opens and closes the window that often on an engine and looks for threads, timers
 and memory left behind. ``--minutes 10`` runs the demo off-screen at full rate with everything
@@ -44,13 +45,14 @@ SIZE = (1440, 900)
 FPS = 60.0
 HIDDEN_S = 10.0  # with the 3D view hidden
 STARTS_WITHIN = 10.0  # s of images more, for the search for the hand
-SETTLE_CYCLES = 20  # after which memory should stay
+SETTLE_CYCLES = 20  # after which memory should be constant
 START_TIMEOUT = 300.0
 
 
 @dataclass(frozen=True)
 class Cycles:
-    """For opening and closing. Memory of this process in MB; what is left after the last close."""
+    """Results of opening and closing: memory of this process in MB, and objects that remain after
+    the last close."""
 
     cycles: int
     memory_mb: list[float]
@@ -196,7 +198,7 @@ def _open_and_close(app: QApplication, folder: Path, session: Path) -> None:
         time.sleep(0.005)
     window.close()
     window.deleteLater()
-    # Outside an event loop Qt deletes only where it is asked to.
+    # Outside an event loop, Qt deletes objects only on request.
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     app.processEvents()
 
@@ -306,7 +308,7 @@ class _Pace:
         self._timer.start(self.PERIOD_MS)
 
     def tell(self, out: Soak) -> None:
-        """What was seen so far; no more is looked at."""
+        """Report the results so far, and stop measuring."""
         self._timer.stop()
         lost = self._now("frames_dropped") - self._dropped
         out.images_hz = round(sum(self._images) / max(len(self._images), 1), 1)

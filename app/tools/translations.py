@@ -1,4 +1,4 @@
-"""``python -m app.tools.translations``: lists the window's words for translators.
+"""``python -m app.tools.translations``: lists the window's texts for translators.
 
 Writes ``resources/translations/glovetrack_LANGUAGE.ts``, with what has been translated, and of
 each language that is complete the ``.qm`` file that the window reads. PySide's ``lupdate`` files
@@ -101,7 +101,7 @@ def all_words(root: Path = ROOT) -> dict[str, str]:
 
 
 def read(path: Path) -> dict[str, str]:
-    """What a ``.ts`` file has translated and finished."""
+    """The finished translations of a ``.ts`` file."""
     if not path.exists():
         return {}
     messages = ET.parse(path).getroot().iter("message")

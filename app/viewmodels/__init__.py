@@ -1,1 +1,1 @@
-"""What each panel shows, computed from messages; plain Python, no Qt."""
+"""Computes the content of each panel from messages; plain Python, without Qt."""

@@ -26,7 +26,7 @@ LEAST_CHROMA = 15.0  # levels between the largest and the smallest channel
 
 
 class Eyedropper(Enum):
-    """What a click does with a pixel."""
+    """The effect of a click on a pixel."""
 
     SET = "set"
     ADD = "add"

@@ -242,7 +242,7 @@ class ColourTuning:
         """A search of an image with the current profile; see `ImageSearch.work`."""
         return self.search.work(shown, None if self._dragging else self.profile)
 
-    # --- what is shown
+    # --- displayed data
 
     def rows(self, shown: ShownImage) -> list[HueRow]:
         """One row per hue."""

@@ -73,7 +73,7 @@ def rows(c: Comparison) -> list[CompareRow]:
 
 
 def summary(c: Comparison) -> str:
-    """One sentence about both, and what was not used."""
+    """One sentence about both, and the unused data."""
     return " ".join([_in_common(c), *map(notice_text, c.unused)])
 
 

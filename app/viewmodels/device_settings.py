@@ -242,7 +242,7 @@ def _imu(
 def _imu_report(
     imu: ImuReport | None,
 ) -> list[tuple[str, str, Value, str, Confirmed | None]]:
-    """What the glove reports of an IMU, and what its packets show."""
+    """The glove's report on an IMU, and a summary of its packets."""
     if imu is None:
         return []
     celsius = imu.temperature_cC / 100 if imu.temperature_cC is not None else None

@@ -73,7 +73,7 @@ class GuidedRun:
         """Whether there is no hand to evaluate."""
         return not self.holding.is_held and self.holding.joint in UNSEEN
 
-    # --- what the wearer asks
+    # --- requests of the wearer
 
     def start(self, t: float) -> None:
         """Start from the first pose."""

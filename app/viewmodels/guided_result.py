@@ -31,7 +31,7 @@ DIGITS = {
 
 
 class WearerNow(NamedTuple):
-    """What an engine has estimated: gains (k, 2) ratio and offset (rad) of the hand's synergies,
+    """The estimates of an engine: gains (k, 2) ratio and offset (rad) of the hand's synergies,
     abduction (S,) rad; ``ends``, by the digits that poses measure, the covariance (3, 3) of ratio,
     offset and abduction; calibration; ``remembered``, a snapshot to restore it. ``frozen``: not
     updated; ``learning``: the last pose is still being evaluated."""

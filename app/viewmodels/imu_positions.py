@@ -1,4 +1,4 @@
-"""The guided measurement of the IMUs' axes: positions, their texts, and the result in words."""
+"""The guided measurement of the IMUs' axes: positions, their texts, and the texts of the result."""
 
 from __future__ import annotations
 
@@ -96,7 +96,7 @@ class AxesWords(NamedTuple):
 
 
 def axes_words(found: Sequence[ImuAxesRow], file: str) -> AxesWords:
-    """The result in words; ``file`` is the name of the file that *Save* writes."""
+    """The texts of the result; ``file`` is the name of the file that *Save* writes."""
     usable = [row for row in found if row.is_usable]
     rows = [(spoken(r.name), _size(r, "accel"), _size(r, "gyro"), _verdict(r)) for r in found]
     colours = [GOOD.colour if r.is_usable else BAD.colour for r in found]

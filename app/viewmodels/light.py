@@ -73,7 +73,7 @@ class LightWatch:
         """Whether the measurement belongs to this image."""
         return image is not None and image is self._read
 
-    # ---- what is shown
+    # ---- displayed data
 
     @property
     def look(self) -> StateLook:

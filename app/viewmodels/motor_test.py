@@ -1,4 +1,4 @@
-"""The result of a motor test in words."""
+"""The text of a motor test's result."""
 
 from __future__ import annotations
 

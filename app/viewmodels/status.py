@@ -124,7 +124,7 @@ def _fields(status: Status | None, v: Mapping[str, float]) -> list[Field]:
 
 
 def _shed(values: Mapping[str, float]) -> Field:
-    """What is reduced because the system is overloaded; empty if nothing is."""
+    """Describes what is reduced because the system is overloaded; empty if nothing is."""
     level = int(values.get("load_shed", 0.0))
     if level <= 0:
         return Field("shed", "", "", IDLE, "")

@@ -102,7 +102,7 @@ class OptionField:
 
 
 def option_fields(kind: ConnectionKind[Any], options: Any = None) -> list[OptionField]:
-    """What a form has of ``options``; by default of the defaults."""
+    """The fields of a form for ``options``, by default for the default values."""
     values = kind.options() if options is None else options
     return [
         OptionField(

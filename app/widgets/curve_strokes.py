@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from app.widgets.row_span import row_span
 from tracker.kernels import kernel
 from tracker.kernels.arrays import ByteMatrix, Matrix, UInt32Matrix, Vector, Written
 
@@ -146,12 +147,7 @@ def _segment(
     bottom = int(min(np.floor(max(ya, yb) + reach), rows - 1.0))
     for y in range(top, bottom + 1):
         v = y + 0.5
-        low, high = min(xa, xb), max(xa, xb)
-        if dy != 0.0:  # the part of the line that is within reach of this row
-            s0, s1 = (v - reach - ya) / dy, (v + reach - ya) / dy
-            s0, s1 = min(s0, s1), max(s0, s1)
-            s0, s1 = min(max(s0, 0.0), 1.0), min(max(s1, 0.0), 1.0)
-            low, high = min(xa + s0 * dx, xa + s1 * dx), max(xa + s0 * dx, xa + s1 * dx)
+        low, high = row_span(ends, reach, v)
         left = int(max(np.floor(low - reach), 0.0))
         right = int(min(np.floor(high + reach), columns - 1.0))
         for x in range(left, right + 1):

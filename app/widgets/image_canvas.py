@@ -75,7 +75,7 @@ class Placing:
 
 
 class ImageCanvas:
-    """The composed image, in memory that it keeps."""
+    """The composed image, in memory that is reused."""
 
     def __init__(self) -> None:
         self._pixels = np.zeros((0, 0), np.uint32)

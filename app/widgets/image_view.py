@@ -125,7 +125,7 @@ class ImageView(QWidget):
         self._array: NDArray[np.uint8] | None = None
         self._shapes: Sequence[Shape] = ()
         self._canvas = ImageCanvas()
-        self._composed: object = None  # what the canvas shows
+        self._composed: object = None  # content of the canvas
         self._labels: Labels | None = None
         self._titled: tuple[tuple[str, str, float] | None, QPixmap] = None, QPixmap()
         self.zoom = ImageZoom(self)
@@ -273,7 +273,7 @@ class ImageView(QWidget):
         painter.drawImage(0, 0, self._canvas.image)
 
     def _paint_title(self, painter: QPainter) -> None:
-        """Its image is kept: the same text would be painted with each camera image."""
+        """The painted title is cached: it would otherwise be painted with each camera image."""
         made = self._title, self.font().key(), self.devicePixelRatioF()
         if made != self._titled[0]:
             self._titled = made, _title_image(self._title, self.font(), made[2])

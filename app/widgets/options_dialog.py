@@ -77,7 +77,7 @@ def option_label(help: str) -> str:
 
 
 def option_widget(value: Any, choices: Sequence[Any]) -> tuple[QWidget, Callable[[], Any]]:
-    """A widget with the value, and what reads it."""
+    """A widget with the value, and a function that reads it."""
     if choices:
         combo = QComboBox()
         for choice in choices:

@@ -63,7 +63,7 @@ class MenuCommand:
 
 
 class Commands:
-    """Makes and keeps the actions."""
+    """Creates and stores the actions."""
 
     def __init__(self, window: QMainWindow) -> None:
         self._window = window

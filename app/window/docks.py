@@ -80,9 +80,9 @@ def fit_to_screen(window: QMainWindow, usual: tuple[int, int]) -> None:
 
 
 class DockShares(QObject):
-    """Keeps each dock's share of the window while the window changes its size.
+    """Preserves each dock's share of the window when the window is resized.
 
-    A panel that was floating gets back the share that it had; Qt alone gives it half of that.
+    A panel that was floating gets its previous share; by default, Qt gives it half of that.
     ``is_shown`` returns whether docks are shown at all, instead of the start page.
     """
 

@@ -152,7 +152,7 @@ class DoctorDialog(QDialog):
         }[verdict]
 
     def _end(self) -> None:
-        """Also after a cancellation, with what was found until then."""
+        """Also called after a cancellation, with the results so far."""
         self._job = None
         self._set_running(False)
         verdicts = [r.finding.verdict for r in self._results]

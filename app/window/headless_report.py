@@ -48,14 +48,14 @@ class Figures:
 
 
 class Watched(NamedTuple):
-    """What the window shows: its name, and the factory of the engine."""
+    """The source that the window shows: its name, and the factory of its engine."""
 
     name: str
     make: SetupFactory
 
 
 class Connected(NamedTuple):
-    """What other programs can use: streams, and the names and address of remote control."""
+    """Interfaces for other programs: streams, and the names and address of remote control."""
 
     streams: StreamSettings
     remote: str = ""

@@ -133,7 +133,7 @@ class LayoutKeeper(QObject):
         dock.raise_()
 
     def add_dock(self, name: str) -> None:
-        """The user wants this dock in the layout: it is stored with it."""
+        """Add this dock to the layout, as the user requested; it is stored with it."""
         self._visitors.discard(name)
 
     def show_review(self) -> None:

@@ -36,7 +36,7 @@ CHOOSE_MS = 20_000
 SIDE = 200  # px
 SHADE, INK = QColor(0, 0, 0, 170), QColor("#FFFFFF")  # legible over images of any brightness
 RESETS = "pose_reset."  # codes of the notices about a pose reset
-COLOURS = "colours"  # what a hint is about
+COLOURS = "colours"  # topic of a hint
 
 
 class MessageBar(QWidget):
@@ -44,7 +44,7 @@ class MessageBar(QWidget):
     tabs and the status bar, so that nothing moves under the pointer, but never what `keep_clear`
     names."""
 
-    dismissed = Signal(str)  # by the user: what it was about
+    dismissed = Signal(str)  # by the user: the topic
     shown = Signal(str, bool)  # a message, and whether nothing is wrong
 
     def __init__(self, window: QMainWindow) -> None:
@@ -145,7 +145,7 @@ class MessageBar(QWidget):
 
 @dataclass(frozen=True)
 class Announced:
-    """What a countdown announces: ``title`` with a placeholder for the seconds, ``text`` above the
+    """A countdown's announcement: ``title`` with a placeholder for the seconds, ``text`` above the
     number; ``beeps`` returns whether each second beeps."""
 
     title: str
@@ -273,7 +273,7 @@ class MessageRouter(QObject):
         host.happened.connect(self._show_event)
 
     def say(self, text: str) -> None:
-        """Show what went wrong."""
+        """Show an error."""
         self._messages.say(text)
 
     def show_failed_job(self, text: str) -> None:
@@ -299,7 +299,7 @@ class MessageRouter(QObject):
             self._log.add(Event(time.monotonic(), "note" if good else "error", text))
 
     def offer_to_save_wearer(self) -> None:
-        """What guided poses have taught is lost at the end, unless it is saved in a profile."""
+        """Offer to save the result of guided poses, which is otherwise lost at the end."""
         if not self._calibration.profiles.keep_learned():
             text = self.tr("The calibration is used until this session ends.")
             ask = (self.tr("Save it to a profile…"), self._calibration.wearer.ask_name)

@@ -64,7 +64,7 @@ class RecordingChecks(QObject):
         self._library, self._window = library, window
         self._check: RunningJob | None = None
         self._missing, self._dismissed = MissingWatch(), False
-        self._reported: Missing = {}  # what was missing at the last check
+        self._reported: Missing = {}  # missing devices at the last check
         self._running = QElapsedTimer()
         self._looks = QTimer(self)
         self._looks.timeout.connect(self._look)

@@ -39,7 +39,7 @@ class SetUpDialogs(QObject):
     error = Signal(str)
     restart = Signal()
     reopen = Signal()  # the devices or the demo that are open, with changed files
-    changed = Signal()  # what is stored of the devices
+    changed = Signal()  # stored data of the devices
     learned = Signal()  # from guided poses, to be saved
     pose_reset_changed = Signal()  # its settings
 
@@ -211,7 +211,7 @@ class SetUpDialogs(QObject):
         dialog.show()
 
     def shut_down(self) -> None:
-        """Close what is open; its jobs end with the window's."""
+        """Close all open dialogs; their jobs end with the window's."""
         for dialog in list(self.dialogs.values()):
             dialog.close()
             if dialog.isVisible():  # it ignored the close

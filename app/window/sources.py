@@ -83,7 +83,7 @@ class Opening:
 
 
 class Sources(QObject):
-    """Opens what the user asks for; ``messages`` is taken away by what is opened next.
+    """Opens sources that the user selects; ``messages`` is replaced by that of the next source.
 
     None of these ends a running recording unless the user confirms it.
     """

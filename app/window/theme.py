@@ -84,7 +84,7 @@ def apply(app: QApplication, theme: str) -> Colours:
     """Apply the theme to the whole application; returns its colours."""
     c = colours(theme)
     sheet = style_sheet(c)
-    if app.styleSheet() != sheet:  # else it is applied already, which takes half a second
+    if app.styleSheet() != sheet:  # not applied yet; applying it takes half a second
         with _nothing_collected():
             app.setStyle("Fusion")
             app.setPalette(_palette(c))

@@ -36,7 +36,7 @@ from tracker.engine.kinds import engine_kinds
 
 
 class Window(Protocol):
-    """What commands call of the window itself."""
+    """Methods of the window that commands call."""
 
     store: SettingsStore
 
@@ -55,7 +55,7 @@ class Window(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Targets:
-    """What the commands act on."""
+    """The objects on which commands act."""
 
     window: Window
     dialogs: Dialogs

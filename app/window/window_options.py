@@ -1,4 +1,4 @@
-"""What the command line can ask of the window; imported without Qt."""
+"""Options of the command line for the window; imported without Qt."""
 
 from __future__ import annotations
 

@@ -77,7 +77,7 @@ class FirmwareSetup(FormDialog):
         form.addRow(self.tr("&Type of board"), self.boards)
         return form
 
-    # --- what is there
+    # --- available devices
 
     @property
     def _in_use(self) -> bool:

@@ -73,7 +73,7 @@ def _read(path: Path) -> None:
             list(reader.truth())
             list(reader.messages())
     except GlovetrackError:
-        pass  # refused in words
+        pass  # refused with an error
     saved = path.with_name("saved.mcap")
     saved.unlink(missing_ok=True)
     with contextlib.suppress(GlovetrackError):

@@ -215,7 +215,7 @@ def _goes_on(reader: SessionReader, options: TrackOptions) -> bool:
 
 
 def _truth(reader: SessionReader, side: str) -> Iterator[Estimate]:
-    """What a simulated hand really did, of the session's one hand or of both."""
+    """The true motion of a simulated hand, of the session's only hand or of both."""
     if side == reader.info.side:
         yield from reader.truth()
         return

@@ -137,7 +137,8 @@ class ReplayMoment:
             self._hole, self._in_hole = at, lost(self._estimate)
 
     def arrive(self) -> None:
-        """The replay is at the position it was sent to: hide the hand if it has none there."""
+        """The replay has reached the requested position: hide the hand if it has no estimate
+        there."""
         if not self._is_fresh:
             self.begin_hole(-np.inf)
 
@@ -162,7 +163,7 @@ class ReplayMoment:
 
     def status(self) -> Status:
         """The latest one, with the tracking state of the estimate: a status is written once a
-        second, and does not know gaps that were interpolated later."""
+        second, and does not include gaps that were interpolated later."""
         hand = self.latest_estimate()
         if hand is None or not (self._is_fresh or self.is_in_hole):
             return self._status
@@ -335,7 +336,7 @@ def _sided(
 
 
 def known_hand(reader: SessionReader) -> str:
-    """What the session contains besides estimates of the reader's hand: a laboratory's
+    """The session's other data about the reader's hand: a laboratory's
     ``reference``, the ``truth`` of a simulation, or nothing."""
     known = ("reference", "truth")
     return next((k for k in known if holds(reader, f"/{k}/{reader.info.side}/")), "")

@@ -1,4 +1,5 @@
-"""Reference hands of a replay: another tracking of the same movement; what the hand really did."""
+"""Reference hands of a replay: another tracking of the same movement, or the true motion of the
+hand."""
 
 from __future__ import annotations
 

@@ -11,7 +11,7 @@ from tracker.messages import BlobFrame, StereoFrame
 from tracker.session.images import PackedFrame
 from tracker.session.reader import SessionReader
 
-MOST_BEFORE_SIGHT = 500  # messages; a session without a pair by then has none
+MOST_BEFORE_SIGHT = 500  # messages; a session without a pair among them has no pairs
 APART = 60  # the most images or blobs between the two of a pair
 
 

@@ -203,7 +203,7 @@ class CalibrationPanel(Panel):
         self.profiles.show_hand(setup)
         self._draw()
 
-    # --- what it shows
+    # --- displayed data
 
     def refresh(self, view: Snapshot | None) -> None:
         if view is None:

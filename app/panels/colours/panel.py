@@ -207,7 +207,7 @@ class ColoursPanel(Panel):
             self.tuning.check_room(image)
             self._draw()
 
-    # --- what it shows
+    # --- displayed data
 
     def refresh(self, view: Snapshot | None) -> None:
         if view is None or self.tuning is None:

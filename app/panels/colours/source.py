@@ -175,7 +175,7 @@ class ColoursSource(QWidget):
         button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         return button
 
-    # --- what is shown
+    # --- displayed data
 
     def set_folder(self, folder: ImageFolder) -> None:
         """Offer the images of another camera."""

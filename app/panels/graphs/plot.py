@@ -164,7 +164,7 @@ class GraphPlot(QFrame):
         self.controls.copy.clicked.connect(self.copied)
         self.controls.close_button.clicked.connect(self.closed)
 
-    # --- what it shows
+    # --- displayed data
 
     def show_signals(self, signals: Sequence[Figure], missing: Sequence[str]) -> None:
         """Show these signals; ``missing`` are the keys of unavailable ones."""

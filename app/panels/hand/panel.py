@@ -140,7 +140,7 @@ class HandPanel(Panel):
         super().resizeEvent(event)
         self.legend.setVisible(self.height() >= LOW)
 
-    # --- what is wanted
+    # --- requests
 
     def look_from(self, name: str) -> None:
         """View from the "back", "palm" or "side" of the hand, or from the "camera"."""

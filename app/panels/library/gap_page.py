@@ -159,7 +159,7 @@ class GapPage(QWidget):
         box.setValue(value)
         return box
 
-    # --- what it shows
+    # --- displayed data
 
     def show_gaps(self, found: SessionGaps | None) -> None:
         """Show the gaps of a session; None without one."""

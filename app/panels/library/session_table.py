@@ -91,7 +91,7 @@ class SessionTable(QTableWidget):
         """``known``: details found earlier. The selection is preserved where possible.
 
         If all selected sessions are gone, nothing is selected: the next key would otherwise act on
-        a session that the user has not chosen. The first listing selects the newest.
+        a session that the user has not selected. The first listing selects the newest.
         """
         first = not self._rows
         before = self._coming or {row.path for row in self.selected()}

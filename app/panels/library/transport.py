@@ -119,7 +119,7 @@ class TransportBar(QWidget):
         self.speed.setCurrentIndex(SPEEDS.index(1.0))
         self.refresh()
 
-    # --- what the user does
+    # --- actions of the user
 
     def toggle(self) -> None:
         if self._player is not None:
@@ -190,7 +190,7 @@ class TransportBar(QWidget):
         if self._player is not None:
             self._player.set_speed(float(self.speed.currentData()))
 
-    # --- what it shows
+    # --- displayed data
 
     def range(self) -> tuple[float, float] | None:
         """The selected range in s; None for the whole session."""

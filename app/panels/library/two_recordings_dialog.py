@@ -166,7 +166,7 @@ class TwoRecordingsDialog(QDialog):
         return row
 
     def _by_movement(self) -> None:
-        """Align by movement; without a match the offset stays and a message is shown."""
+        """Align by movement; without a match, the offset is unchanged and a message is shown."""
         try:
             found = self.takes.by_movement()
         except GlovetrackError as error:

@@ -127,7 +127,7 @@ class MotionPanel(Panel):
             if self._turn % FIGURES_EVERY == 1:
                 self._show_figures()
 
-    # --- what is shown
+    # --- displayed data
 
     def _name_rows(self) -> None:
         if self.model is not None:

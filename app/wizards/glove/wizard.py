@@ -203,7 +203,7 @@ class GloveSetup(QDialog):
         chosen = replace(self.choice.bound(), port=place)
         self._store.update(gloves=with_bound(self._store.value, number, chosen))
 
-    # --- what it does
+    # --- actions
 
     def _tick(self) -> None:
         recent: list[ImuSample] = list(self._feed.recent()) if self._feed is not None else []

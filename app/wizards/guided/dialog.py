@@ -206,7 +206,7 @@ class GuidedDialog(LeadingDialog):
         else:
             self.outcome.show_nothing(self.tr("No pose was held."))
 
-    # --- what comes of it
+    # --- results
 
     def _known(self, known: WearerNow) -> None:
         if known.frozen:

@@ -20,7 +20,7 @@ from app.widgets.view3d.scene import DrawnSurface, rgb
 from app.widgets.view3d.shapes import Surface
 from app.widgets.view3d.view_3d import View3D
 from tracker.base.clock import monotonic
-from tracker.messages import Estimate, Validity
+from tracker.messages import Array, Estimate, Validity
 
 NOW = "▶"  # sign of the current step
 
@@ -133,17 +133,24 @@ class PoseStage(QWidget):
         return self._drawn.shown(self.before, self.pose, monotonic() - self._since, again)
 
     def _refresh_outline(self, skin: HandSkin, estimate: Estimate | None, shown: Shown) -> None:
-        """Draw the wearer's hand with its dorsum aligned to that of the drawn hand."""
+        """Draw the outline of the wearer's hand, rotated by `alignment` about its wrist."""
         if self._outline is None:
             return
         there = estimate is not None and bool(np.isfinite(estimate.segment_p).all())
         self._outline.show(there)
         if there and estimate is not None:
             root = self._hand.root
-            turn = shown.R[root] @ estimate.segment_R[root].T
-            p = (estimate.segment_p - estimate.segment_p[root]) @ turn.T + shown.p[root]
-            seen = skin.plain(turn @ estimate.segment_R, p)
+            turn = self.alignment(shown.R[root], estimate.segment_R[root])
+            R = turn @ estimate.segment_R
+            wrist = R[root] @ (shown.R[root].T @ shown.p[root])
+            p = (estimate.segment_p - estimate.segment_p[root]) @ turn.T + wrist
+            seen = skin.plain(R, p)
             self._outline.drape(seen.points, seen.normals, seen.looks)
+
+    def alignment(self, R_shown: Array, R_own: Array) -> Array:
+        """(3, 3) rotation of the wearer's hand, whose dorsum has the orientation ``R_own`` (3, 3);
+        ``R_shown`` (3, 3) is that of the drawn hand. Here both dorsa coincide."""
+        return np.asarray(R_shown @ R_own.T)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Resize:

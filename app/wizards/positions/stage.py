@@ -7,12 +7,11 @@ from PySide6.QtWidgets import QWidget
 
 from app.engines.engine import EngineSetup
 from app.viewmodels.guided_hand import DRAWN, MOVE, Shown
-from app.viewmodels.hand_skin import HandSkin
 from app.wizards.leading.page import PoseStage
 from tracker.base.clock import monotonic
 from tracker.calibration.imu_positions import orientation
 from tracker.geometry import so3
-from tracker.messages import Array, Estimate
+from tracker.messages import Array
 from tracker.simulation.postures import posture
 from tracker.simulation.smooth import minimum_jerk
 
@@ -47,22 +46,7 @@ class PositionStage(PoseStage):
         mirror = [1.0, -1.0 if self._side == "left" else 1.0, 1.0]
         return Shown(R, p, np.zeros(3), np.array(EYE) * mirror)
 
-    def _refresh_outline(self, skin: HandSkin, estimate: Estimate | None, shown: Shown) -> None:
-        if self._outline is None:
-            return
-        there = estimate is not None and bool(np.isfinite(estimate.segment_p).all())
-        self._outline.show(there)
-        if there and estimate is not None:
-            root = self._hand.root
-            R_G = _heading(shown.R[root], estimate.segment_R[root])
-            R = R_G @ estimate.segment_R
-            p = (estimate.segment_p - estimate.segment_p[root]) @ R_G.T
-            wrist = R[root] @ (shown.R[root].T @ shown.p[root])
-            seen = skin.plain(R, p + wrist)
-            self._outline.drape(seen.points, seen.normals, seen.looks)
-
-
-def _heading(R_shown: Array, R_own: Array) -> Array:
-    """(3, 3) the rotation about the vertical that turns ``R_own`` (3, 3) closest to ``R_shown``."""
-    M = R_own @ R_shown.T
-    return so3.rz(float(np.arctan2(M[0, 1] - M[1, 0], M[0, 0] + M[1, 1])))
+    def alignment(self, R_shown: Array, R_own: Array) -> Array:
+        """(3, 3) the rotation about the vertical that turns ``R_own`` closest to ``R_shown``."""
+        M = R_own @ R_shown.T
+        return so3.rz(float(np.arctan2(M[0, 1] - M[1, 0], M[0, 0] + M[1, 1])))

@@ -17,7 +17,7 @@ from typing import Any
 
 
 def use_system_loader() -> None:
-    """In place of the loader that pyopenxr brings along."""
+    """Use the system's loader instead of pyopenxr's."""
     loader = ctypes.CDLL("libopenxr_loader.so.1")
     loader.xrLocateSpaces = loader["xrPollEvent"]  # OpenXR 1.1's, which pyopenxr binds; not called
     module = types.ModuleType("xr.library")
@@ -32,7 +32,7 @@ if sys.argv[1] == "debian":
 import xr  # noqa: E402
 
 if sys.argv[1] == "debian":
-    del os.environ["XR_API_LAYER_PATH"]  # of the layers that pyopenxr brings along
+    del os.environ["XR_API_LAYER_PATH"]  # path of pyopenxr's own layers
     if LAYERS:
         os.environ["XR_API_LAYER_PATH"] = LAYERS
 

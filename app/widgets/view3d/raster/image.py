@@ -59,8 +59,8 @@ class Canvas(NamedTuple):
 
 
 class Tiles(NamedTuple):
-    """What each of T tiles may show: bodies and lines are ``items`` from its ``starts`` (T + 1,) to
-    the next, see `_sort`; surfaces where it is touched (T,)."""
+    """Possible content of each of T tiles: bodies and lines are ``items`` from its ``starts`` (T +
+    1,) to the next, see `_sort`; surfaces where it is touched (T,)."""
 
     items: IntVector
     starts: IntVector

@@ -22,7 +22,7 @@ def _lamp(azimuth_deg: float, elevation_deg: float, strength: float) -> tuple[fl
 
 
 KEY = _lamp(10, 50, 0.75)
-FILL = _lamp(0, -75, 0.25)  # lights what the key light leaves dark
+FILL = _lamp(0, -75, 0.25)  # for surfaces that the key light does not reach
 HEAD = 0.25  # strength of the lamp at the camera
 EDGE = _lamp(110, 0, 0.21)  # from behind, on either side, to emphasize the edges
 """As in a photographer's (and VTK's) light kit."""
