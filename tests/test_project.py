@@ -202,7 +202,7 @@ THREADS = {
     "extensions/room/vrpn_poses.py": "reads poses of other systems",
     "tracker/streaming/remote/doors.py": "stamps requests as they arrive",
     "tracker/streaming/server_thread.py": "the event loop of a server",
-    "tracker/streaming/streams.py": "one for each output, which may hang",
+    "tracker/streaming/senders.py": "sends to all outputs, and to one that hangs in its own thread",
     "tracker/base/workers.py": "many sessions on all cores",
 }
 """Who starts threads or processes, and what for."""
@@ -231,6 +231,7 @@ CLOCKS = {
     "tracker/offline/fill.py": "the date of an edit",
     "tracker/offline/rig_command.py": "ends in time",
     "tracker/simulation/rig_device.py": "begins now",
+    "tracker/streaming/senders.py": "how long an output has been sending",
     "app/window/message_bar.py": "the time of a line in the log",
     "app/window/recordings.py": "how long ago a session was used",
     "app/window/ticker.py": "when panels and the window were last drawn",
