@@ -79,7 +79,8 @@ class Twins:
         return _numbers(args) <= self.most
 
     def was_compared(self, kernel: Any) -> bool:
-        """By another process of this run: a kernel of the product is compared once."""
+        """Whether another process of this run has compared the kernel already; one comparison is
+        sufficient."""
         done, name = Path(os.environ[DONE]), _name(kernel)
         return is_ours(name) and done.exists() and name in done.read_text("utf-8").splitlines()
 

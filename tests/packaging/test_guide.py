@@ -89,7 +89,7 @@ def run(line: str) -> int:
     assert program == "glovetrack", f"{line!r} is no command of ours"
     try:
         return main(words)
-    except SystemExit as end:  # argparse ends --help and --version so
+    except SystemExit as end:  # argparse exits after --help and --version
         return int(end.code or 0)
 
 

@@ -115,7 +115,7 @@ def test_the_node_publishes_the_stream(
     )
     assert e.motion is not None
     assert_allclose(state.velocity, e.motion.angle_rate, atol=1e-6)
-    stamp = state.header.stamp  # of the pose, not of its publication
+    stamp = state.header.stamp  # time of the pose, not of its publication
     assert (stamp.sec, stamp.nanosec) == (1_732_538_097, 750_000_000)
     array = node.received["/hand/right/openxr"][0]
     assert array.header.stamp is stamp

@@ -175,7 +175,7 @@ class Publishing(Tracker):
 def test_a_burst_of_a_publishing_tracker_is_sent_completely(make_estimate, wait_for) -> None:
     tracker, sink = Publishing(), Sink()
     attached = attach(tracker, [sink])
-    burst = [k / 100 for k in range(BACKLOG)]  # as after half a second without a processor
+    burst = [k / 100 for k in range(BACKLOG)]  # as after 0.5 s without CPU time
     for t in burst:
         tracker.publish(make_estimate(t))
     wait_for(lambda: len(sink.got) == len(burst))

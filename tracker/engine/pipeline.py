@@ -55,7 +55,7 @@ ABANDONED = warning("tracking.abandoned")
 @record("pipeline", shapes={"celsius": "n", "motors": "m 3"})
 @dataclass(eq=False)
 class PipelineSavedState:
-    """All of a pipeline that changes; ``engine`` is what its engine keeps, ``packet`` when (s) the
+    """The variable state of a pipeline; ``engine`` is that of its engine, ``packet`` when (s) the
     last packet arrived, ``by_images`` whether the hand follows the images alone, ``celsius`` the
     last temperatures of the IMUs, empty before the first, ``motors`` those that ran last."""
 

@@ -22,7 +22,7 @@ from tracker.vision.rig import StereoRig, with_readout
 
 Measured = ImuSample | CameraImuSample | BlobFrame
 FIRST = np.array([0.0, 0.010, 0.020, 0.030])  # s of readout
-STEP = 0.005  # s about the first estimate, for the second one
+STEP = 0.005  # s from the first estimate to the values tried for the second
 CAP_PX = 6.0  # of a residual: beyond it a blob is another marker's
 SETTLED = 2.0  # s in which the hand is found and its size is learned
 BLOCKS = 8  # of the recording, each left out once for the standard deviation

@@ -13,7 +13,7 @@ from extensions.applications.interface import Happening, Step
 from extensions.applications.live import ReplayedApplication
 from extensions.applications.stage import ApplicationStage
 from extensions.applications.window.drawing import DrawingForms, bounds
-from extensions.applications.window.view_model import Progress, instruction, results
+from extensions.applications.window.view_model import ApplicationProgress, instruction, results
 from tests.base.test_registry import install
 from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup
 from tracker.geometry import so3
@@ -144,8 +144,8 @@ def test_the_hand_is_drawn_after_the_colours_have_changed(staged, window, qtbot)
     assert panel.view._bodies[0]._skin is panel.view.skin
 
 
-def progress(**counts) -> Progress:
-    return Progress(counts, {})
+def progress(**counts) -> ApplicationProgress:
+    return ApplicationProgress(counts, {})
 
 
 def test_each_application_shows_its_current_instruction():
@@ -190,7 +190,7 @@ def test_a_show_describes_what_the_simulated_wearer_does(name):
         R_GB, p_GB = hand.forward(angles, R, p)
         for _ in stage.feed(true_estimate(float(t), R_GB, p_GB, angles)):
             pass
-        made = Progress(dict(stage.counts), {w: e.data for w, e in stage.latest.items()})
+        made = ApplicationProgress(dict(stage.counts), {w: e.data for w, e in stage.latest.items()})
         said.append((instruction(name, made, True), results(name, made)))
     assert stage.problem == ""
     assert len({step for step, _ in said}) > 1, "the instruction goes on with what was done"

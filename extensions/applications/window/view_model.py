@@ -133,9 +133,9 @@ class ApplicationsModel:
         return instruction(stage.name, self._made(stage), located)
 
     @staticmethod
-    def _made(stage: ApplicationStage) -> Progress:
+    def _made(stage: ApplicationStage) -> ApplicationProgress:
         last = {what: event.data for what, event in stage.latest.items()}
-        return Progress(Counter(dict(stage.counts)), last)
+        return ApplicationProgress(Counter(dict(stage.counts)), last)
 
     def line(self) -> str:
         """The results in one line."""
@@ -167,7 +167,7 @@ def written(value: Any) -> str:
     return str(value)
 
 
-class Progress(NamedTuple):
+class ApplicationProgress(NamedTuple):
     """The number of events of each kind, and the data of the last one."""
 
     counts: Mapping[str, int]
@@ -185,7 +185,7 @@ def is_known(name: str) -> bool:
     return name in _STEPS
 
 
-def instruction(name: str, made: Progress, located: bool) -> str:
+def instruction(name: str, made: ApplicationProgress, located: bool) -> str:
     """What to do now; empty for third-party applications."""
     if not is_known(name):
         return ""
@@ -194,12 +194,12 @@ def instruction(name: str, made: Progress, located: bool) -> str:
     return _STEPS[name](made)
 
 
-def results(name: str, made: Progress) -> str:
+def results(name: str, made: ApplicationProgress) -> str:
     """The results with units; empty for third-party applications, or before there are any."""
     return " · ".join(_RESULTS[name](made)) if name in _RESULTS else ""
 
 
-def _touch_step(made: Progress) -> str:
+def _touch_step(made: ApplicationProgress) -> str:
     if made.is_active("touch", "release"):
         return tr("Press deeper to feel it more, or slide along the surface.")
     if made.count("touch"):
@@ -207,7 +207,7 @@ def _touch_step(made: Progress) -> str:
     return tr("Reach forward and touch the object with a fingertip.")
 
 
-def _arm_step(made: Progress) -> str:
+def _arm_step(made: ApplicationProgress) -> str:
     if made.is_active("stop", "go_on"):
         return tr("The arm is stopped. Show a thumb up to continue.")
     if made.is_active("grab", "release"):
@@ -217,7 +217,7 @@ def _arm_step(made: Progress) -> str:
     return tr("Close the hand by a grasp or a pinch to move the arm. Open the palm to stop it.")
 
 
-def _place_step(made: Progress) -> str:
+def _place_step(made: ApplicationProgress) -> str:
     if not made.is_active("choose", "back"):
         return tr("Point at a building with the index finger and hold still to open it.")
     return tr(
@@ -227,7 +227,7 @@ def _place_step(made: Progress) -> str:
     )
 
 
-def _swarm_step(made: Progress) -> str:
+def _swarm_step(made: ApplicationProgress) -> str:
     if not made.count("nudge"):
         return tr("Point with the index finger and push into the swarm.")
     if not made.count("dragged"):
@@ -243,7 +243,7 @@ def _swarm_step(made: Progress) -> str:
     return tr("Show a thumb up to remove the walls.")
 
 
-def _touch_results(made: Progress) -> list[str]:
+def _touch_results(made: ApplicationProgress) -> list[str]:
     out = []
     if made.count("touch"):
         last = made.last["touch"]
@@ -255,7 +255,7 @@ def _touch_results(made: Progress) -> list[str]:
     return out
 
 
-def _arm_results(made: Progress) -> list[str]:
+def _arm_results(made: ApplicationProgress) -> list[str]:
     out = []
     if made.count("clutch"):
         out.append(tr("Moves: {}").format(made.count("clutch")))
@@ -272,7 +272,7 @@ def _arm_results(made: Progress) -> list[str]:
     return out
 
 
-def _place_results(made: Progress) -> list[str]:
+def _place_results(made: ApplicationProgress) -> list[str]:
     out = []
     if made.is_active("choose", "back"):
         out.append(tr("Open: {}").format(made.last["choose"]["label"]))
@@ -287,7 +287,7 @@ def _place_results(made: Progress) -> list[str]:
     return out
 
 
-def _swarm_results(made: Progress) -> list[str]:
+def _swarm_results(made: ApplicationProgress) -> list[str]:
     out = []
     if made.count("placed"):
         out.append(tr("Drones: {}").format(int(made.last["placed"]["drones"])))
@@ -307,13 +307,13 @@ def _swarm_results(made: Progress) -> list[str]:
     return out
 
 
-_STEPS: Mapping[str, Callable[[Progress], str]] = {
+_STEPS: Mapping[str, Callable[[ApplicationProgress], str]] = {
     "touch": _touch_step,
     "arm": _arm_step,
     "place": _place_step,
     "swarm": _swarm_step,
 }
-_RESULTS: Mapping[str, Callable[[Progress], list[str]]] = {
+_RESULTS: Mapping[str, Callable[[ApplicationProgress], list[str]]] = {
     "touch": _touch_results,
     "arm": _arm_results,
     "place": _place_results,

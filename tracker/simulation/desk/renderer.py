@@ -92,7 +92,7 @@ class _Box(NamedTuple):
         return _Box(int(low[0]), int(low[1]), int(high[0]), int(high[1]))
 
 
-class _Part(NamedTuple):
+class _ExposurePart(NamedTuple):
     """Instants of the shutter with the hand's shadow of the lamp and points around it on the desk,
     and the rows that are exposed then: from ``first`` to before ``end``."""
 
@@ -195,7 +195,7 @@ class DeskRenderer:
             self._lamps.light(own, self._lamps.gains(len(own), t), image)
         return out
 
-    def _parts(self, t: float) -> list[_Part]:
+    def _parts(self, t: float) -> list[_ExposurePart]:
         """The image with the midpoint t (s): one part, or of a rolling shutter one for each band of
         rows."""
         rig = self.scene.rig
@@ -205,10 +205,10 @@ class DeskRenderer:
         bands = bands_of(rig, rig.left, speed, rows, band_px(self.params.exposures))
         return [self._part(t + band.delay, band.first, band.end) for band in bands]
 
-    def _part(self, t: float, first: int, end: int) -> _Part:
+    def _part(self, t: float, first: int, end: int) -> _ExposurePart:
         p = self.params
         moments = moments_of(self.scene, t, p.shutter, min(p.exposures, len(JITTER_PX)), 1)
-        return _Part(moments, *self._shadow(moments[len(moments) // 2]), first, end)
+        return _ExposurePart(moments, *self._shadow(moments[len(moments) // 2]), first, end)
 
     def _shadow(self, now: SceneInstant) -> tuple[CastShadow, Array]:
         """The hand's shadow of the lamp, and points around it on the desk."""
@@ -220,7 +220,9 @@ class DeskRenderer:
         cast = cast_shadow(now.solids, middle, self._lights.place, self.light.softness * away)
         return cast, shadow_corners(cast, away)
 
-    def _image(self, view: _CameraView, parts: list[_Part], rng: np.random.Generator) -> Image:
+    def _image(
+        self, view: _CameraView, parts: list[_ExposurePart], rng: np.random.Generator
+    ) -> Image:
         box = NOWHERE
         for part in parts:
             box = box.around(self._add(view, part))
@@ -241,7 +243,7 @@ class DeskRenderer:
         quality = self.params.jpeg_quality
         return through_jpeg(out, quality) if quality else out
 
-    def _add(self, view: _CameraView, part: _Part) -> _Box:
+    def _add(self, view: _CameraView, part: _ExposurePart) -> _Box:
         """Draws the rows of a part into the view's light; returns the bounds of what changed. The
         lens blurs across the border of two parts, so each is drawn beyond it."""
         first, height = part.first, len(view.light)
@@ -259,7 +261,7 @@ class DeskRenderer:
         view.light[low:first] = above
         return box
 
-    def _add_shadow(self, view: _CameraView, part: _Part, rows: tuple[int, int]) -> _Box:
+    def _add_shadow(self, view: _CameraView, part: _ExposurePart, rows: tuple[int, int]) -> _Box:
         """Draws the hand's shadow on these rows of the desk into the view's light; returns its
         bounds."""
         points = part.corners - view.eye
@@ -282,7 +284,7 @@ class DeskRenderer:
     def _add_hand(
         self,
         view: _CameraView,
-        part: _Part,
+        part: _ExposurePart,
         boxes: list[IntArray],
         rows: tuple[int, int],
     ) -> _Box:
