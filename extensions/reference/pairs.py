@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from extensions.reference.angles import angles_of
-from extensions.reference.session import Described, at_instants, attachment_name, read_imported
+from extensions.reference.session import Described, at_instants, read_imported
 from tracker.base.errors import FileError
 from tracker.base.notices import notice
 from tracker.geometry import so3
@@ -17,6 +17,7 @@ from tracker.messages import Array, IntArray, Validity
 from tracker.session.export.series import recorded_series
 from tracker.session.motion import instants
 from tracker.session.reader import SessionReader
+from tracker.session.ros import topics
 
 APERTURES = tuple(("thumb_tip", f"{f}_tip") for f in ("index", "middle", "ring", "little"))
 
@@ -88,7 +89,7 @@ def read_pairs(path: Path) -> list[Pairs]:
     with SessionReader(path) as reader:
         sides = reader.sides or ("",)
         imported = [
-            s for s in sides if attachment_name(s or reader.info.side) in reader.attachments
+            s for s in sides if topics.reference_about(s or reader.info.side) in reader.attachments
         ]
     if not imported:
         raise FileError(notice("reference.none", session=path))

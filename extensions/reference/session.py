@@ -147,11 +147,6 @@ def described(text: str, session: Path) -> Described:
         raise FileError(notice("reference.damaged", session=session)) from error
 
 
-def attachment_name(side: str) -> str:
-    """The attachment that describes the reference of a hand."""
-    return f"reference_{side}.json"
-
-
 @dataclass(frozen=True, eq=False)
 class Imported:
     """A session's reference of one hand: ``points`` (M, K, 3) m in G at ``stamp_ns`` (M,), of
@@ -165,7 +160,7 @@ class Imported:
 def read_imported(reader: SessionReader) -> Imported:
     """The reference of the reader's hand. Raises FileError if the session contains none."""
     side, names = reader.info.side, reader.info.keypoint_names
-    text = reader.attachments.get(attachment_name(side))
+    text = reader.attachments.get(topics.reference_about(side))
     topic = topics.reference(side, "keypoints")
     if text is None or topic not in reader.topic_names:
         raise FileError(notice("reference.none", session=reader.path))
@@ -190,7 +185,7 @@ def write_with_reference(
     ``points`` (M, K, 3) m in G, of ``about.keypoints``. ``watch`` receives the share done. Raises
     FileError."""
     side = reader.info.side
-    name = attachment_name(side)
+    name = topics.reference_about(side)
     with whole_file(out, force, [reader.path]) as part:
         output = McapOutput(part, sync=False)
         try:

@@ -60,6 +60,9 @@ def test_the_truth_of_a_simulated_session(simulated: glovetrack.Recording) -> No
         at = np.interp(tracked.t, true.t, true.keypoints["index_tip"][:, axis])
         away = tracked.keypoints["index_tip"][rows, axis] - at[rows]
         assert np.median(np.abs(away)) < 0.02, "the truth is that of this hand (usual error 4 mm)"
+    kept = tracked.truth["right"]
+    np.testing.assert_array_equal(kept.t_unix_ns, true.t_unix_ns)
+    np.testing.assert_array_equal(kept.keypoints["index_tip"], true.keypoints["index_tip"])
 
 
 def test_a_slice_has_the_same_times(live: glovetrack.Recording) -> None:

@@ -34,6 +34,11 @@ from tracker.offline.track_report import Counter, StatusClock, TrackReport, Trut
 from tracker.online.colour_watch import ColourWatch
 from tracker.session.decode_sensors import Sensed
 from tracker.session.images import PackedFrame
+from tracker.session.mcap.input import RawMessage
+from tracker.session.mcap.ordering import ordered
+from tracker.session.message_check import sound
+from tracker.session.reader import SessionReader
+from tracker.session.ros import motion, topics
 from tracker.session.state_check import require_match
 from tracker.session.writer import SessionRecorder
 from tracker.vision.rig import StereoRig
@@ -62,6 +67,40 @@ class SessionRun(Protocol):
     def finish(self, progress: Callable[[float], None]) -> None: ...
 
 
+class TrueHands:
+    """Copies what a session knows about its hands beside its estimates: the true poses of simulated
+    ones, and the measurements of a laboratory, so that the new estimates can be compared with them.
+
+    Not of hands whose keypoints differ in the new session.
+    """
+
+    def __init__(self, reader: SessionReader, recorder: SessionRecorder) -> None:
+        self._recorder, self._wall = recorder, reader.anchor.wall
+        self._kinds: dict[str, str] = {}
+        for old, new in zip(reader.info.hands, recorder.info.hands, strict=True):
+            if old.keypoint_names == new.keypoint_names:
+                self._add(reader, old.side)
+        stored = ordered(reader.source, frozenset(self._kinds)) if self._kinds else iter(())
+        self._messages = sound(stored, reader.source.left_out)
+        self._next: RawMessage | None = next(self._messages, None)
+
+    def _add(self, reader: SessionReader, side: str) -> None:
+        for topic in (topics.truth, topics.reference):
+            self._kinds[topic(side, "keypoints")] = motion.POSES
+            self._kinds[topic(side, "joint_states")] = motion.JOINTS
+        about = topics.reference_about(side)
+        if about in reader.attachments:
+            data, when = reader.attachments[about].encode(), reader.span_ns[0]
+            self._recorder.attach(about, "application/json", data, when)
+
+    def until(self, t: float) -> None:
+        """Write what was recorded before ``t`` s."""
+        end = self._wall(t)
+        while self._next is not None and self._next.log_time < end:
+            self._recorder.copy(self._next, self._kinds[self._next.topic])
+            self._next = next(self._messages, None)
+
+
 class Output:
     """Writes the new session and counts what is written."""
 
@@ -71,8 +110,10 @@ class Output:
         with_sensors: bool,
         check: TruthCheck | None,
         side: str,
+        true_hands: TrueHands | None = None,
     ) -> None:
-        """``side``: the hand that this is for."""
+        """``side``: the hand that this is for; ``true_hands``: of the session, all of them."""
+        self._true_hands = true_hands
         self._recorder, self._with_sensors, self._check = recorder, with_sensors, check
         self._side, self._moving = side, recorder.info.moving_camera
         (info,) = (h for h in recorder.info.hands if h.side == side)
@@ -122,6 +163,8 @@ class Output:
 
     def between(self, estimate: Estimate) -> None:
         """An estimate of an image, while packets are missing."""
+        if self._true_hands is not None:
+            self._true_hands.until(estimate.t)
         self._recorder.write(estimate, side=self._side)
         for phase in self._gestures.feed(estimate):
             self._recorder.write(gesture_event(phase, self._gestures.side))

@@ -45,7 +45,7 @@ from tracker.offline.maker import Maker
 from tracker.offline.options import USUAL, TrackOptions
 from tracker.offline.own_colours import OwnColours
 from tracker.offline.repeats import Repeats
-from tracker.offline.runs import Fed, LiveRun, NoOutput, Output, SessionRun, arrival
+from tracker.offline.runs import Fed, LiveRun, NoOutput, Output, SessionRun, TrueHands, arrival
 from tracker.offline.track_report import TrackReport, TruthCheck
 from tracker.online.camera_tilt import CameraTilt
 from tracker.session.arithmetic import arithmetic
@@ -114,8 +114,9 @@ def _track_session(
     start, span = reader.anchor.monotonic(reader.span_ns[0]), max(reader.duration, 1e-9)
     with new_session(out, described, force, [reader.path]) as recorder:
         checks = {hand.side: _truth_check(reader, hand) for hand in info.hands}
+        true_hands = TrueHands(reader, recorder)
         outputs = {
-            side: Output(recorder, options.with_sensors, check, side)
+            side: Output(recorder, options.with_sensors, check, side, true_hands)
             for side, check in checks.items()
         }
         run = _run(reader, info, settings, outputs, options, colours)
@@ -126,6 +127,7 @@ def _track_session(
             run.feed(message)
             progress(forward * min(max((arrival(message) - start) / span, 0.0), 1.0))
         run.finish(lambda share: progress(forward + (1 - forward) * share))
+        true_hands.until(start + span + 1.0)
         _report_repeats(repeats, outputs, start + span)
         by_side.save_profiles(run.engines, profiles)
     _compare_with_truth(reader, checks, outputs)

@@ -19,6 +19,7 @@ from tracker.session.encode import Arrivals, Encoder, ImageCoding, Out, status_n
 from tracker.session.images import PackedFrame
 from tracker.session.mcap.container import COMPRESSION, McapOutput
 from tracker.session.mcap.disk import automatic_path
+from tracker.session.mcap.input import RawMessage
 from tracker.session.rigs import CAMERA, shutter_record
 from tracker.session.ros import motion, topics
 from tracker.vision.rig import StereoRig
@@ -192,6 +193,15 @@ class SessionRecorder:
     def write_truth(self, truth: Estimate, side: str = "") -> None:
         """Writes the true pose of a simulated hand."""
         self._guarded(lambda out: self._put(out, self._encoders[side].truth(truth)))
+
+    def copy(self, message: RawMessage, kind: str) -> None:
+        """Writes a message of another session, of the ROS type ``kind``, byte for byte."""
+        out = Out(message.topic, kind, message.log_time, message.publish_time, message.data)
+        self._guarded(lambda output: self._put(output, iter([out])))
+
+    def attach(self, name: str, media_type: str, data: bytes, when: int) -> None:
+        """Writes an attachment that is not in ``info``; ``when``: ns since 1970."""
+        self._guarded(lambda out: out.attach_bytes(name, media_type, data, when))
 
     def write_rig(self, rig: StereoRig, t: float) -> None:
         """Writes a calibration that is valid from ``t`` on."""

@@ -76,6 +76,11 @@ def reference(side: str, what: str) -> str:
     return f"/reference/{side}/{what}"
 
 
+def reference_about(side: str) -> str:
+    """The attachment that describes the reference of a hand."""
+    return f"reference_{side}.json"
+
+
 ROBOT = (
     "robot_description", "model", "memory", "joint_commands", "joint_states", "scene", "contact",
 )  # fmt: skip
