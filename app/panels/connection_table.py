@@ -1,4 +1,7 @@
-"""A table of connections: a switch, a port, the state, and three counts."""
+"""A table of connections: a switch, a port, buttons, the state, and three counts.
+
+In a narrow panel the last columns are out of view: the counts, not the buttons.
+"""
 
 from __future__ import annotations
 
@@ -11,6 +14,8 @@ from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QSpinBox, QWidget
 from app.widgets.measures import NEAR
 
 COLUMNS = ("state", "clients", "sent", "dropped")
+BUTTONS = 2  # column of the buttons, which has no heading
+PORT_WIDTH = 84  # px, for five digits and the arrows
 
 
 class ConnectionTable(QGridLayout):
@@ -23,11 +28,11 @@ class ConnectionTable(QGridLayout):
         self.ports: dict[str, QSpinBox] = {}
         self.cells: dict[str, dict[str, QLabel]] = {}
         self.setHorizontalSpacing(NEAR)
-        self.setColumnStretch(2, 1)
+        self.setColumnStretch(BUTTONS + 1, 1)
         for j, text in enumerate(headings):
             heading = QLabel(text)
             heading.setProperty("role", "faint")
-            self.addWidget(heading, 0, j)
+            self.addWidget(heading, 0, j if j < BUTTONS else j + 1)
 
     def add(
         self,
@@ -44,21 +49,22 @@ class ConnectionTable(QGridLayout):
         if set_port is not None:
             port = self.ports[name] = QSpinBox()
             port.setRange(1, 65535)
+            port.setFixedWidth(PORT_WIDTH)
             words = QCoreApplication.translate("ConnectionTable", "Port of {}")
             port.setAccessibleName(words.format(title))
             port.setKeyboardTracking(False)
             port.valueChanged.connect(partial(set_port, name))
             self.addWidget(port, i, 1)
         self.cells[name] = {column: QLabel() for column in COLUMNS}
-        for j, label in enumerate(self.cells[name].values(), start=2):
-            if j > 2:
+        for j, label in enumerate(self.cells[name].values(), start=BUTTONS + 1):
+            if j > BUTTONS + 1:
                 label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
             self.addWidget(label, i, j)
 
-    def put_at_end(self, name: str, widget: QWidget) -> None:
-        """After the counts."""
+    def put_buttons(self, name: str, widget: QWidget) -> None:
+        """After the port."""
         row = 1 + list(self.boxes).index(name)  # below the headings
-        self.addWidget(widget, row, 2 + len(COLUMNS))
+        self.addWidget(widget, row, BUTTONS)
 
     def put_at_port(self, name: str, widget: QWidget) -> None:
         """Show a widget instead of the port, for a connection without one."""

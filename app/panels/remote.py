@@ -80,7 +80,7 @@ class RemoteBox(QGroupBox):
             port = self._remote.set_port if kind.has("port") else None
             table.add(name, tr(kind.title), self._remote.switch, port)
             if option_fields(kind):
-                table.put_at_end(name, self._options_button(name))
+                table.put_buttons(name, self._options_button(name))
         self.table = table
         self.boxes, self.ports, self.cells = table.boxes, table.ports, table.cells
         return table

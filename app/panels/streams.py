@@ -189,7 +189,7 @@ class StreamsPanel(Panel):
             if kind.default_file:
                 self.files[name] = RecordFile(outputs, name)
                 table.put_at_port(name, self.files[name])
-            table.put_at_end(name, self._row_buttons(name))
+            table.put_buttons(name, self._row_buttons(name))
         self.table = table
         self.boxes, self.ports, self.cells = table.boxes, table.ports, table.cells
         return table
