@@ -15,7 +15,8 @@ from tracker.glove.library import texts
 from tracker.kernels import library, parts
 from tracker.simulation import flicker, render
 from tracker.simulation.demo import DemoSpec, build
-from tracker.vision import search
+from tracker.vision import finger_cloth, search
+from tracker.vision.cloth import ClothMap
 from tracker.vision.colours import ColourProfile, HueRange
 from tracker.vision.detector import Detector
 
@@ -83,7 +84,25 @@ def calls() -> dict[str, tuple[Any, ...]]:
             patched.setattr(module, name, noting(getattr(module, name)))
         left, _ = scene.renderer.pair(1.0)
         Detector(PROFILE).detect(left)
-    return found
+    return found | of_cloth()
+
+
+def of_cloth() -> dict[str, tuple[Any, ...]]:
+    """Arguments of those that look for a finger in the cloth: any cloth, fingers and window."""
+    rng = np.random.default_rng(5)
+    cloth = ClothMap(
+        rng.integers(0, 2**62, (60, 80)), rng.integers(0, 2, (60, 80)).astype(np.uint8)
+    )
+    edge = np.linspace(20.0, 400.0, finger_cloth.SAMPLES // finger_cloth.EACH + 1)
+    nodes = np.stack(np.meshgrid(edge, edge), axis=-1) + rng.normal(0, 3, (len(edge), len(edge), 2))
+    capsules = np.column_stack([rng.uniform(0, 128, (9, 4)), rng.uniform(3, 9, 9)])
+    classes = finger_cloth.cloth_window(cloth, nodes)
+    explained = finger_cloth.covered(capsules, finger_cloth.SAMPLES)
+    return {
+        "tracker.vision.finger_cloth.cloth_window": (cloth, nodes),
+        "tracker.vision.finger_cloth.covered": (capsules, finger_cloth.SAMPLES),
+        "tracker.vision.finger_cloth.finger_evidence": (classes, explained, 5.0, 2.5),
+    }
 
 
 @pytest.mark.parametrize("part", ["tracker_simulation", "tracker_vision"])
