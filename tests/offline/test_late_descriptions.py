@@ -58,7 +58,7 @@ def test_the_cameras_are_found_after_any_number_of_transforms(
     late: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """With two hands, 3 s before the descriptions contain more transforms than the limit."""
-    monkeypatch.setattr(rigs, "_LOOK_FOR_RIG", 50)
+    monkeypatch.setattr(rigs, "_MOST_RIG_MESSAGES", 50)
     again = tmp_path / "again.mcap"
     track(late, again)
     assert compare(late, again)["identical"]
