@@ -18,6 +18,7 @@ from collections.abc import Callable
 import numpy as np
 import pylsl
 
+from tracker.base.notices import Notice, failure, notice
 from tracker.gestures.values import GESTURES
 from tracker.hand.openxr import JOINTS
 from tracker.messages import Array, Estimate, Validity
@@ -62,6 +63,12 @@ class LslPublisher:
         if self._outlet is not None:
             row = sample(estimate, self._names, self._gestures, self._schema)
             self._outlet.push_sample(row, estimate.t + self._offset)
+
+    def probe(self) -> Notice:
+        """Whether a program reads the outlet; liblsl does not say how many do."""
+        if self._outlet is not None and self._outlet.have_consumers():
+            return notice("stream.test_read", stream=self.name)
+        return failure("stream.test_no_client", stream=self.name)
 
     def close(self) -> None:
         self._outlet = None  # liblsl ends the outlet when its handle goes

@@ -12851,6 +12851,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>{stream}: received by at least one program.</source>
+      <translation>{stream}: von mindestens einem Programm empfangen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>{stream}: no program is connected.</source>
       <translation>{stream}: Kein Programm ist verbunden.</translation>
     </message>

@@ -57,8 +57,10 @@ def test_an_inlet_reads_what_was_sent_with_its_stamp(make_estimate, names: Names
         found = pylsl.resolve_byprop("source_id", "glovetrack-right", timeout=8)
         if not found:
             pytest.skip("LSL finds nothing here: this machine passes no multicast")
+        assert out.probe().code == "stream.test_no_client"
         inlet = pylsl.StreamInlet(found[0])
         inlet.open_stream(timeout=5)
+        wait_for(lambda: out.probe().code == "stream.test_read")
         t = time.monotonic()
         e = turning(make_estimate(t), names)
         out.send(e)

@@ -42,6 +42,7 @@ TEXTS = {
     "stream.process_silent": "The process of the streams does not answer.",
     "stream.test_off": "{stream}: switch it on and start tracking, then test it.",
     "stream.test_clients": "{stream}: received by {count} connected programs.",
+    "stream.test_read": "{stream}: received by at least one program.",
     "stream.test_no_client": "{stream}: no program is connected.",
     "stream.test_refused": (
         "{stream}: {size} bytes were sent and refused (port unreachable). No program receives at "
