@@ -169,7 +169,7 @@ def test_checklist_follows_what_arrives(window, qtbot):
     assert window.checklist.summary.text().startswith("0 of")
     window.host.adopt(scripted_setup(ScriptedEngine()))
     window.run_command("show_checklist")
-    qtbot.waitUntil(lambda: window.checklist.summary.text().startswith("9 of"), timeout=30_000)
+    qtbot.waitUntil(lambda: window.checklist.summary.text().startswith("9 of"), timeout=120_000)
     window.host.shut_down()
     assert window.checklist.summary.text().startswith("0 of")
 
