@@ -85,7 +85,8 @@ class PlugWatch(QObject):
         self._job.forget()
 
     def _ask(self) -> None:
-        if not self._host.opening:
+        # a search that is still running would be discarded for a newer one
+        if not self._host.opening and not self._job.is_busy:
             settings = self._store.value
 
             def job(_progress: JobProgress) -> Names:

@@ -92,6 +92,8 @@ class ChecklistPanel(Panel):
             self.light = LightWatch()  # measurements of another camera or light do not apply
         if view is None or view.frame is None or not images_arrive(view):
             return
+        if self._light_job.is_busy:  # a newer job would discard its result
+            return
         frame, setup = view.frame, view.setup
         image = frame.left if frame.left is not None else frame.right
         work = self.light.work(image, setup.profile, setup.camera.rig.fx, frame.t)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import threading
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -195,6 +197,30 @@ def test_the_light_of_a_removed_camera_is_discarded(listed, rig, qtbot):
     assert shown(listed, "Light").reason == "Waiting for images."
     pass_time(listed, rig, qtbot, 0.0)
     assert shown(listed, "Light").reason == "Measuring the light…"
+
+
+def test_a_slow_measurement_of_the_light_is_not_discarded_for_the_next_one(
+    listed, qtbot, monkeypatch
+):
+    """On a computer that takes longer than the time between two."""
+    asked, go = [], threading.Event()
+
+    def slow():
+        go.wait(30)
+        return reading(9, 9)
+
+    def work(*_):
+        asked.append(1)
+        return slow
+
+    panel = listed.checklist
+    panel.light = SimpleNamespace(work=work, took=asked.append, reading=None)
+    for _ in range(3):
+        panel._read_light(listed.host.snapshot())
+    assert asked == [1]
+    go.set()
+    qtbot.waitUntil(lambda: len(asked) >= 2)
+    assert isinstance(asked[1], tuple), "its result, not another measurement"
 
 
 def test_a_reason_without_a_button_takes_the_whole_width(listed, rig, qtbot):

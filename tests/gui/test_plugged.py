@@ -63,6 +63,27 @@ def searches(window, monkeypatch):
     return begun
 
 
+def test_a_slow_search_is_not_discarded_for_the_next_one(qtbot, store):
+    """Each takes longer than the time between two."""
+    there: set[str] = set()
+    searched = threading.Event()
+
+    def look(_settings):
+        threading.Event().wait(0.1)
+        searched.set()
+        return frozenset(there)
+
+    watch = PlugWatch(SimpleNamespace(opening=False), store, look=look)
+    watch._timer.setInterval(5)
+    arrivals: list[list[str]] = []
+    watch.came.connect(arrivals.append)
+    watch.begin()
+    qtbot.waitUntil(lambda: searched.is_set() and watch._newcomers._known is not None)
+    there.add("ttyUSB1")
+    qtbot.waitUntil(lambda: arrivals == [["ttyUSB1"]])
+    watch.shut_down()
+
+
 def test_a_new_device_is_opened_at_once_if_nothing_is_open(window, searches):
     window.sources.plugged.came.emit(["/dev/ttyUSB0"])
     assert searches == ["Looking for glove and camera"]

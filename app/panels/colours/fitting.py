@@ -138,7 +138,10 @@ class ColoursLight(QWidget):
         self._show()
 
     def look_at(self, shown: ShownImage, tuning: ColourTuning) -> None:
-        """Measure the image if it is time."""
+        """Measure the image if it is time and the last measurement is finished: a newer one would
+        discard its result, and a slow computer would never have any."""
+        if self._job.is_busy:
+            return
         view = shown.view if not shown.frozen else None
         t = view.frame.t if view is not None and view.frame is not None else None
         work = self.watch.work(shown.image, tuning.profile, tuning.setup.camera.rig.fx, t)
