@@ -16,6 +16,7 @@ from tests import crash_traces
 from tests import kernel_twins  # before the kernels
 
 from tests.live_recordings import LiveRecordings
+from tests.streaming.recorded_hand import RecordedHand
 from tracker.glove.files import load_glove
 from tracker.glove.model import GloveModel
 from tracker.hand.files import load_hand
@@ -94,3 +95,9 @@ def live_recordings(tmp_path_factory: pytest.TempPathFactory, worker_id: str) ->
     """Recordings that the application writes, made once for all processes of a run."""
     folder = tmp_path_factory.getbasetemp()
     return LiveRecordings((folder if worker_id == "master" else folder.parent) / "live")
+
+
+@pytest.fixture(scope="session")
+def recorded(live_recordings: LiveRecordings) -> RecordedHand:
+    """A hand of the window's demo, as the window recorded it."""
+    return RecordedHand(live_recordings.path("one hand"))

@@ -36,6 +36,7 @@ from extensions.foxglove.protocol import (
     server_info,
 )
 from extensions.foxglove.scene import FoxgloveScene, estimate_schema, scene_schema
+from tracker.base.clock import ClockAnchor
 from tracker.base.notices import notice
 from tracker.messages import Estimate
 from tracker.session.ros import motion
@@ -59,17 +60,15 @@ class FoxglovePublisher:
         names: Names,
         host: str = LOOPBACK,
         port: int = 0,
-        wall_offset: float | None = None,
         origins: Collection[str] = (),
         others: Sequence[Names] = (),
     ) -> None:
-        """``others``: further hands, see `beside`.
-
-        ``wall_offset``: s since 1970 at the monotonic clock's zero; default: the current one.
+        """``others``: further hands, see `beside`. Stamps are those of the session's clocks, by the
+        anchor of ``names``; for names without one, of this computer's.
 
         ``origins``: further sites whose pages may connect, such as ``https://viz.example.org``.
         """
-        self._wall = time.time() - time.monotonic() if wall_offset is None else wall_offset
+        self._anchor = names.anchor or ClockAnchor(time.time_ns(), time.monotonic_ns())
         self._hands = [_HandChannels(n, DESCRIPTION * i) for i, n in enumerate((names, *others))]
         self._greeting = _greeting(self._hands, session_id=str(time.time_ns()))
         self._clients: tuple[
@@ -109,7 +108,7 @@ class FoxglovePublisher:
     def _send(self, hand: _HandChannels, estimate: Estimate) -> None:
         if self._closed:
             raise StreamError(notice("stream.closed", what="Foxglove server"))
-        stamp_ns = round((estimate.t + self._wall) * 1e9)
+        stamp_ns = self._anchor.wall(estimate.t)
         wanted = {channel for c in self._clients for channel in tuple(c.wants.by_channel)}
         channels = sorted(wanted & hand.encoders.keys())
         if channels:

@@ -109,8 +109,7 @@ class VmcPublisher:
         if wrist != Validity.LOST:
             numbers += unity_pose(e.keypoints[self._wrist], e.keypoint_q[self._wrist])
         if len(known):
-            turned = self._avatar.rotations(known, e.angles)
-            numbers.append(np.column_stack([self._avatar.offsets[known], turned]).ravel())
+            numbers.append(self._avatar.poses(known, e).ravel())
         values, shown = self._gesture_values(e)
         tracked = int(e.tracking in (Tracking.TRACKING, Tracking.COASTING))
         template = self._templates[key]

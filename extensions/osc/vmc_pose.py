@@ -17,8 +17,9 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from tracker.geometry import so3
+from tracker.geometry.kernels import quats
 from tracker.hand.model import HandModel
-from tracker.messages import Array
+from tracker.messages import Array, Estimate
 
 # Rows: X, Y, Z of Unity; columns: x, y, z of B (or of G). Determinant -1: they change handedness.
 M_AVATAR = {
@@ -31,13 +32,15 @@ M_WORLD = np.array([[0.0, -1, 0], [0, 0, 1], [1, 0, 0]])  # of G with x forward
 class AvatarHand:
     """A hand's bones in an avatar's axes.
 
-    With N_i = R_i Rest_i^T the rotation of a bone from the T-pose (both in the dorsum's B), the
-    local one is N_parent^T N_i = Rest_i J_i Rest_i^T, J_i the joint's rotation: a bone needs the
-    angles of its own joint alone.
+    With N_i = R_i Rest_i^T the rotation of a bone from the T-pose, the local one is N_parent^T N_i.
+    In an estimate a bone may also turn about axes that its joint has no angle for. Where the poses
+    of segments are not known, the local rotation is Rest_i J_i Rest_i^T, J_i the joint's rotation
+    by its angles.
     """
 
     def __init__(self, hand: HandModel) -> None:
         self._columns = np.array(hand.axis_columns)  # (S, 3), -1 for none
+        self._parent = np.array(hand.parent)
         M = M_AVATAR[hand.side]
         rest, _ = hand.forward(np.zeros(len(hand.joint_names)), np.eye(3), np.zeros(3))
         self._axes = M @ rest  # (S, 3, 3): B's axes in Unity's, in the T-pose
@@ -46,6 +49,22 @@ class AvatarHand:
         for i, segment in enumerate(hand.segments):
             if hand.parent[i] >= 0:
                 self.offsets[i] = self._axes[hand.parent[i]] @ segment.origin
+
+    def poses(self, bones: Sequence[int], estimate: Estimate) -> Array:
+        """Local poses (n, 7) of the segments ``bones``: position (m), quaternion xyzw, w ≥ 0."""
+        rows = list(bones)
+        out = np.column_stack([self.offsets[rows], self.rotations(rows, estimate.angles)])
+        pose = np.dstack([estimate.segment_R, estimate.segment_p])
+        posed = np.asarray(np.isfinite(pose).all(axis=(1, 2)))
+        known = posed[rows] & posed[self._parent[rows]]
+        if known.any():
+            i = np.array(rows)[known]
+            a = self._parent[i]
+            from_G = self._axes[a] @ pose[a, :, :3].transpose(0, 2, 1)
+            out[known, :3] = np.einsum("nij,nj->ni", from_G, pose[i, :, 3] - pose[a, :, 3])
+            turned = from_G @ pose[i, :, :3] @ self._axes[i].transpose(0, 2, 1)
+            out[known, 3:] = quats(np.ascontiguousarray(turned))
+        return np.where(out[:, 6:] < 0, out * [1, 1, 1, -1, -1, -1, -1], out)
 
     def rotations(self, bones: Sequence[int], angles: Array) -> Array:
         """Local rotations (n, 4) xyzw, w ≥ 0, of the segments ``bones`` from angles (J,) rad.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import socket
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -13,8 +14,7 @@ import pytest
 
 pytest.importorskip("rerun", reason="rerun-sdk is not installed")
 
-from tracker.base.clock import ClockAnchor
-from tracker.streaming.publisher import Names
+from tests.streaming.recorded_hand import RecordedHand, assert_near
 from tracker.streaming.udp import UdpPublisher
 
 EXAMPLE = Path(__file__).parents[2] / "docs" / "examples" / "rerun" / "glovetrack_rerun.py"
@@ -40,34 +40,38 @@ def rows(path: Path) -> dict[str, list[Any]]:
     return found
 
 
-def test_rerun_reads_the_hand_that_was_streamed(hand, glove, make_estimate, tmp_path: Path) -> None:
-    anchor = ClockAnchor(10**9, 1_732_538_096_000_000_000)
-    names = Names.of(hand, glove, anchor=anchor)
-    estimate = make_estimate(lost=("index_tip",), angles={"index_pip_flexion": 0.7})
+def test_rerun_reads_the_recorded_hand_that_was_streamed(
+    recorded: RecordedHand, tmp_path: Path
+) -> None:
+    """One fingertip is lost, and has no row."""
+    names, e = recorded.names, recorded.estimates[-1]
+    state = e.keypoint_state.copy()
+    state[names.keypoints.index("index_tip")] = 0
     port, path = free_port(), tmp_path / "hand.rrd"
     command = [sys.executable, str(EXAMPLE), "--port", str(port), "--save", str(path)]
     example = subprocess.Popen([*command, "--messages", str(MESSAGES)])
     publisher = UdpPublisher(names, port=port)
     try:
         while example.poll() is None:
-            publisher.send(estimate)
+            publisher.send(replace(e, keypoint_state=state))
             with_patience(example)
     finally:
         publisher.close()
         example.kill()
     assert example.returncode == 0
-    found = rows(path)
-    known = [k for k, name in enumerate(names.keypoints) if name != "index_tip"]
+    found, wanted = rows(path), recorded.points(e)
+    known = [name for name in names.keypoints if name != "index_tip"]
     points = found["/hand/right/keypoints Points3D:positions"]
     assert len(points) == MESSAGES
-    np.testing.assert_allclose(points[0], estimate.keypoints[known], atol=2e-6)
-    assert found["/hand/right/keypoints Points3D:labels"][0] == [names.keypoints[k] for k in known]
-    (angle,) = found["/hand/right/angles/index_pip_flexion Scalars:scalars"][0]
-    assert angle == pytest.approx(np.rad2deg(0.7), abs=1e-3)
+    assert_near(points[0], [wanted[name] for name in known])
+    assert found["/hand/right/keypoints Points3D:labels"][0] == known
+    for name, angle in recorded.angles(e).items():
+        (value,) = found[f"/hand/right/angles/{name} Scalars:scalars"][0]
+        assert value == pytest.approx(np.rad2deg(angle), abs=1e-3)
     session = found["/hand/right/keypoints session"][0]
-    assert session.total_seconds() == pytest.approx(estimate.t, abs=1e-6)
+    assert session.total_seconds() == pytest.approx(e.t, abs=1e-6)
     wall = found["/hand/right/keypoints wall"][0]
-    assert wall.timestamp() == pytest.approx(names.wall_ns(estimate.t) / 1e9, abs=1e-3)  # type: ignore[operator]
+    assert wall.timestamp() == pytest.approx(recorded.unix_ns(e) / 1e9, abs=1e-3)
 
 
 def with_patience(example: subprocess.Popen[bytes]) -> None:

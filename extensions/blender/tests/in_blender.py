@@ -18,14 +18,15 @@ module.register()
 
 
 def shown() -> dict[str, dict[str, dict[str, object]]]:
-    """By armature and bone: head and x axis of the segment in the world, state and sd."""
+    """By armature and bone: head, y and z axes in the world, state and sd."""
     found = {}
     for thing in bpy.data.objects:
         if thing.type == "ARMATURE":
             found[thing.name] = {
                 bone.name: {
                     "position": list((thing.matrix_world @ bone.matrix).translation),
-                    "x": list((thing.matrix_world @ bone.matrix).col[1][:3]),
+                    "y": list((thing.matrix_world @ bone.matrix).col[1][:3]),
+                    "z": list((thing.matrix_world @ bone.matrix).col[2][:3]),
                     "state": bone["state"],
                     "sd": bone["sd"],
                     "parent": bone.parent.name if bone.parent else None,

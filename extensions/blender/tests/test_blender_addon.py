@@ -6,7 +6,6 @@ variable GLOVETRACK_BLENDER.
 
 from __future__ import annotations
 
-import csv
 import json
 import os
 import shutil
@@ -16,19 +15,20 @@ import sys
 import time
 from importlib.util import find_spec
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from tracker.cli import main
+import glovetrack
+from tests.live_recordings import LiveRecordings
+from tests.streaming.recorded_hand import RecordedHand, assert_near, assert_parallel
 from tracker.streaming.payload import to_json
-from tracker.streaming.publisher import Names
 
 HERE = Path(__file__).parent
 ADDON = HERE.parent / "glovetrack_blender.py"
 STATES = {"lost": 0, "inferred": 1, "measured": 2}
-CLOSE = 1e-6  # m, and of a unit vector: Blender has single precision
 
 
 def blender() -> list[str]:
@@ -53,58 +53,53 @@ def started(*words: str | Path) -> subprocess.Popen[str]:
     )
 
 
-def segment_x(xyzw: list[float]) -> np.ndarray:
-    return Rotation.from_quat(xyzw).as_matrix()[:, 0]
-
-
-def rows_of(path: Path) -> list[dict[str, str]]:
-    with path.open(encoding="utf-8") as file:
-        return list(csv.DictReader(line for line in file if not line.startswith("#")))
-
-
 @pytest.mark.timeout(300)
-def test_a_recording_of_both_hands_is_imported(tmp_path: Path) -> None:
+def test_a_recording_of_both_hands_is_imported(
+    live_recordings: LiveRecordings, tmp_path: Path
+) -> None:
     blender()
-    raw, tracked, out = (tmp_path / n for n in ("raw.mcap", "tracked.mcap", "out.json"))
-    made = ["simulate", "-o", str(raw), "--duration", "1", "--fps", "20", "--blobs-only"]
-    assert main([*made, "--hands", "both", "--seed", "5"]) == 0
-    assert main(["track", str(raw), "-o", str(tracked)]) == 0
-    assert main(["export", str(tracked), "--format", "csv", "-o", str(tmp_path / "h.csv")]) == 0
-    process = started("import", tracked, out)
+    path, out = live_recordings.path("both hands"), tmp_path / "out.json"
+    process = started("import", path, out)
     assert process.wait(240) == 0, process.communicate()[0]
     frames = json.loads(out.read_text())
     assert frames[0].keys() == {"Glovetrack left", "Glovetrack right"}
+    recording = glovetrack.open(path)
     for side in ("left", "right"):
-        rows = rows_of(tmp_path / f"h_{side}.csv")
-        times = np.array([float(row["t"]) for row in rows]) - float(rows[0]["t"])
-        shown_states = set()
+        hand, shown = recording.hands[side], 0
+        t = hand.t - hand.t[0]
         for k, frame in enumerate(frames):
-            row = rows[int(np.abs(times - k / 20).argmin())]
+            row = int(np.abs(t - k / 20).argmin())
             for name, bone in frame[f"Glovetrack {side}"].items():
-                assert bone["state"] == STATES[row[f"{name}_state"]]
-                shown_states.add(bone["state"])
-                if not bone["state"]:
-                    continue
-                position = [float(row[f"{name}_{axis}"]) for axis in "xyz"]
-                turn = [float(row[f"{name}_q{axis}"]) for axis in "xyzw"]
-                assert np.allclose(bone["position"], position, atol=CLOSE), (k, name)
-                assert np.allclose(bone["x"], segment_x(turn), atol=10 * CLOSE), (k, name)
-                assert bone["sd"] == pytest.approx(float(row[f"{name}_sd"]), rel=1e-6)
-        assert len(shown_states) > 1, "the hand is lost at the beginning, and found later"
+                state = int(hand.valid[name][row]) + int(hand.measured[name][row])
+                assert bone["state"] == state
+                if state:
+                    shown += 1
+                    turn = Rotation.from_quat(hand.orientations[name][row])
+                    check(bone, hand.keypoints[name][row], turn)
+                    assert bone["sd"] == pytest.approx(hand.sd[name][row], rel=1e-5)
+        assert shown > 100
     parents = {name: bone["parent"] for name, bone in frames[0]["Glovetrack left"].items()}
     assert parents["wrist"] is None and parents["index_dip"] == "index_pip"
     assert parents["thumb_cmc"] == parents["dorsum"] == "wrist"
 
 
+def check(bone: dict[str, Any], p: np.ndarray, turn: Rotation) -> None:
+    """Its head, and its y and z axes, which are x and z of the segment."""
+    assert_near(bone["position"], p)
+    y, z = np.array(bone["y"]), np.array(bone["z"])
+    axes = np.column_stack([y, np.cross(z, y), z])
+    assert_parallel(Rotation.from_matrix(axes), turn)
+
+
 @pytest.mark.timeout(180)
-def test_hands_are_shown_live(tmp_path: Path, make_estimate, names: Names, hand, glove) -> None:
+def test_recorded_hands_are_shown_live(tmp_path: Path, recorded: RecordedHand) -> None:
     port, out = tmp_path / "port", tmp_path / "out.json"
     process = started("live", port, out)
     while not (port.exists() and port.read_text()):
         assert process.poll() is None, process.communicate()[0]
         time.sleep(0.05)
-    estimate = make_estimate(2.5, angles={"index_mcp_flexion": 0.7})
-    right = json.loads(to_json(estimate, names))
+    e = recorded.estimates[-1]
+    right = json.loads(to_json(e, recorded.names))
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
         while process.poll() is None:
             for message in (right, {**right, "side": "left"}, {"schema": 1}):
@@ -114,9 +109,8 @@ def test_hands_are_shown_live(tmp_path: Path, make_estimate, names: Names, hand,
     found = json.loads(out.read_text())
     assert found.pop("refused") > 0, "what is not of the stream is counted"
     assert found.keys() == {"Glovetrack left", "Glovetrack right"}
+    points, turns = recorded.points(e), recorded.turns(e)
     for bones in found.values():
-        for name, point in right["keypoints"].items():
-            assert np.allclose(bones[name]["position"], point["position"], atol=CLOSE)
-            turned = segment_x(point["orientation_xyzw"])
-            assert np.allclose(bones[name]["x"], turned, atol=10 * CLOSE)
-            assert bones[name]["state"] == STATES[point["state"]]
+        for name in points:
+            check(bones[name], points[name], turns[name])
+            assert bones[name]["state"] == STATES[right["keypoints"][name]["state"]]

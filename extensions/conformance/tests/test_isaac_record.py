@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from mcap.reader import make_reader
 from numpy.testing import assert_allclose
+from scipy.spatial.transform import Rotation
 
 from extensions.conformance.isaac.reader import read_records
 from extensions.conformance.isaac.record import HandRecord, Stamps, decode, encode, joints_of
@@ -15,12 +16,12 @@ from extensions.conformance.isaac.schema import SE3, binary_schema
 from extensions.conformance.isaac.writer import IsaacWriter
 from tests.fixtures import RESOURCES
 from tests.notices import raises
+from tests.streaming.recorded_hand import RecordedHand, assert_near, assert_parallel
 from tracker.base.errors import FileError
-from tracker.geometry import so3
 from tracker.hand.files import load_hand
 from tracker.hand.openxr import JOINTS, OpenXrHand, joint_radii, to_openxr
 from tracker.messages import Estimate, Tracking, Validity
-from tracker.streaming.publisher import Names, StreamError
+from tracker.streaming.publisher import StreamError
 from tracker.streaming.registry import StreamSettings, open_streams, with_streams
 
 deviceio = pytest.importorskip("isaacteleop.deviceio")
@@ -229,29 +230,26 @@ def test_our_reader_reads_what_was_written(tmp_path: Path) -> None:
         list(read_records(tmp_path / "x.mcap"))
 
 
-def test_a_live_record_is_replayed_and_nothing_is_overwritten(tmp_path: Path, hand, glove) -> None:
+def test_a_live_record_is_replayed_and_nothing_is_overwritten(
+    tmp_path: Path, recorded: RecordedHand
+) -> None:
+    """NVIDIA's replay reads the poses of a recording."""
     path = tmp_path / "live.mcap"
-    settings, names = with_streams(StreamSettings(), f"isaac:{path}"), [Names.of(hand, glove)]
+    settings, names = with_streams(StreamSettings(), f"isaac:{path}"), [recorded.names]
     (publisher,) = open_streams(settings, names)["isaac"]
     with raises(StreamError, "file.not_created"):
         open_streams(settings, names)
-    rng = np.random.default_rng(2)
-    wanted = []
-    for k in range(3):
-        R, p = hand.forward(rng.uniform(*hand.angle_limits.T), np.eye(3), rng.normal(size=3))
-        points = glove.keypoint_positions(hand, R, p)
-        q = so3.quat_from_matrix(R)[glove.keypoint_segments(hand)]
-        n, j = len(points), len(hand.joint_names)
-        state, known = np.full(n, 2), np.full(j, 2)
-        e = Estimate(
-            0.01 * k, Tracking.TRACKING, points, q, state, np.zeros(n), np.zeros(j), known, R, p
-        )
+    for e in recorded.estimates:
         publisher.send(e)
-        wanted.append(to_openxr(e, glove.keypoint_names(hand), joint_radii(hand)))
     publisher.close()
-    for found, hand_then in zip(replayed(path, 3), wanted, strict=True):
-        assert_allclose(found["right"][0], np.float32(hand_then.position))
-        assert found["left"] is None
+    replay = replayed(path, len(recorded.estimates))
+    for found, e in zip(replay, recorded.estimates, strict=True):
+        position, q, valid, _ = found["right"]
+        for joint, (p, R) in recorded.openxr(e).items():
+            row = JOINTS.index(joint)
+            assert_near(position[row], p)
+            assert_parallel(Rotation.from_quat(q[row]), R)
+        assert valid.all() and found["left"] is None
     with path.open("rb") as file:
         topics = {c.topic for c in make_reader(file).get_summary().channels.values()}
     assert "glovetrack_right_index_tip/se3_tracker_tracked" in topics

@@ -29,8 +29,15 @@ from websockets.sync.client import ClientConnection, connect
 from extensions.foxglove.live import FoxglovePublisher
 from extensions.foxglove.scene import estimate_schema
 from tests.notices import raises, shows
+from tests.streaming.recorded_hand import (
+    OPENXR_JOINTS,
+    RecordedHand,
+    assert_near,
+    assert_parallel,
+)
+from tracker.base.clock import ClockAnchor
 from tracker.hand.names import bones
-from tracker.messages import Validity
+from tracker.messages import Estimate, Validity
 from tracker.streaming.client_queue import BACKLOG
 from tracker.streaming.payload import LATEST, to_json
 from tracker.streaming.publisher import Names, StreamError
@@ -41,7 +48,7 @@ TOPIC = "/glovetrack/right"
 
 @pytest.fixture
 def server(names: Names) -> Iterator[FoxglovePublisher]:
-    out = FoxglovePublisher(names, port=0, wall_offset=1000.0)
+    out = FoxglovePublisher(replace(names, anchor=ClockAnchor(10**12, 0)), port=0)
     yield out
     out.close()
 
@@ -189,41 +196,65 @@ def test_an_inferred_joint_looks_different(client, server, make_estimate, names,
     assert len(inferred["points"]) == 2 < len(measured["points"])
 
 
-def test_joint_states_are_read_by_rosbags(client, server, make_estimate, names, wait_for) -> None:
-    """Angles that are lost are left out, as in recordings."""
-    client.subscribe(f"{TOPIC}/joint_states")
-    wait_for(lambda: server.clients == 1)
-    estimate = make_estimate(2.5)
-    state = estimate.angle_state.copy()
-    state[3] = int(Validity.LOST)
-    server.send(replace(estimate, angle_state=state))
-    read = client.ros(f"{TOPIC}/joint_states")
-    assert (read.header.stamp.sec, read.header.stamp.nanosec) == (1002, 500_000_000)
-    kept = [i for i in range(len(names.angles)) if i != 3]
-    assert read.name == [names.angles[i] for i in kept]
-    np.testing.assert_array_equal(read.position, estimate.angles[kept])
+def test_joint_states_are_read_by_rosbags(recorded: RecordedHand, wait_for) -> None:
+    """Of a recording; angles that are lost are left out, as in recordings."""
+    with served(recorded) as (server, client):
+        client.subscribe(f"{TOPIC}/joint_states")
+        wait_for(lambda: server.clients == 1)
+        for e in recorded.estimates:
+            state = e.angle_state.copy()
+            state[3] = int(Validity.LOST)
+            server.send(replace(e, angle_state=state))
+            read = client.ros(f"{TOPIC}/joint_states")
+            stamp = read.header.stamp
+            assert abs(stamp.sec * 10**9 + stamp.nanosec - recorded.unix_ns(e)) < 1000
+            wanted = recorded.angles(e)
+            del wanted[recorded.names.angles[3]]
+            assert dict(zip(read.name, read.position, strict=True)) == pytest.approx(wanted)
 
 
-def test_frames_and_joints_move_the_model(client, server, make_estimate, names, wait_for) -> None:
-    """The URDF, read by ``yourdfpy``, has a link for each frame and a joint for each state."""
-    client.subscribe(f"{TOPIC}/robot_description", number=1)
-    text = client.ros(f"{TOPIC}/robot_description", number=1).data
-    model = yourdfpy.URDF.load(BytesIO(text.encode()), load_meshes=False, build_scene_graph=False)
-    client.subscribe(f"{TOPIC}/transforms", number=2)
-    wait_for(lambda: server.clients == 1 and client_has(server, 2))
-    estimate = make_estimate(2.5)
-    server.send(estimate)
-    _, read = client.message(number=2)
-    jsonschema.validate(read, json.loads(client.channels[f"{TOPIC}/transforms"]["schema"]))
-    frames = {t["child_frame_id"]: t for t in read["transforms"]}
-    assert {t["parent_frame_id"] for t in read["transforms"]} == {"world"}
-    assert frames.keys() <= model.link_map.keys() and len(frames) == len(names.model.segments)
+@contextlib.contextmanager
+def served(recorded: RecordedHand) -> Iterator[tuple[FoxglovePublisher, Client]]:
+    """The stream of the recorded hand, and a client of it."""
+    server = FoxglovePublisher(recorded.names, port=0)
+    try:
+        with connected(server) as client:
+            yield server, client
+    finally:
+        server.close()
+
+
+def test_frames_and_joints_move_the_model(recorded: RecordedHand, wait_for) -> None:
+    """The URDF, read by ``yourdfpy``, has a link for each frame and a joint for each state; the
+    frames are those of a recording."""
+    names = recorded.names
+    with served(recorded) as (server, client):
+        client.subscribe(f"{TOPIC}/robot_description", number=1)
+        text = client.ros(f"{TOPIC}/robot_description", number=1).data
+        model = yourdfpy.URDF.load(
+            BytesIO(text.encode()), load_meshes=False, build_scene_graph=False
+        )
+        client.subscribe(f"{TOPIC}/transforms", number=2)
+        wait_for(lambda: server.clients == 1 and client_has(server, 2))
+        for e in recorded.estimates:
+            server.send(e)
+            _, read = client.message(number=2)
+            jsonschema.validate(read, json.loads(client.channels[f"{TOPIC}/transforms"]["schema"]))
+            frames = {t["child_frame_id"]: t for t in read["transforms"]}
+            assert {t["parent_frame_id"] for t in read["transforms"]} == {"world"}
+            assert frames.keys() <= model.link_map.keys()
+            assert len(frames) == len(names.model.segments)
+            check_frames(frames, recorded, e)
     assert set(names.angles) <= model.joint_map.keys()
-    for i, segment in enumerate(names.model.segment_names):
+
+
+def check_frames(frames: dict[str, Any], recorded: RecordedHand, e: Estimate) -> None:
+    points, turns = recorded.points(e), recorded.turns(e)
+    for segment in recorded.names.model.segment_names:
+        keypoint = "wrist" if segment == "dorsum" else OPENXR_JOINTS[segment]
         place, turn = (frames[f"right_{segment}"][part] for part in ("translation", "rotation"))
-        assert np.allclose([place[a] for a in "xyz"], estimate.segment_p[i], atol=1e-6)
-        away = Rotation.from_quat([turn[a] for a in "xyzw"]).as_matrix().T @ estimate.segment_R[i]
-        assert Rotation.from_matrix(away).magnitude() < 1e-5
+        assert_near([place[a] for a in "xyz"], points[keypoint])
+        assert_parallel(Rotation.from_quat([turn[a] for a in "xyzw"]), turns[keypoint])
 
 
 def client_has(server: FoxglovePublisher, count: int) -> bool:

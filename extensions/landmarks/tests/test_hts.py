@@ -6,11 +6,9 @@ import contextlib
 import socket
 import threading
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
-from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
 pytest.importorskip("hand_tracking_sdk", reason="hand-tracking-sdk is not installed")
@@ -30,9 +28,9 @@ from extensions.landmarks.hts import hts_lines
 from glovetrack.conventions import MEDIAPIPE
 from tests.notices import raises
 from tests.streaming.posed_hand import posed_estimate, side_names
-from tests.streaming.recorded_hand import recorded_hand
+from tests.streaming.recorded_hand import RecordedHand, assert_near, assert_parallel
 from tracker.base.clock import ClockAnchor
-from tracker.messages import Estimate, Tracking
+from tracker.messages import Tracking
 from tracker.streaming.connection import LOOPBACK
 from tracker.streaming.publisher import Names, StreamError
 from tracker.streaming.registry import StreamSettings, open_streams, with_streams
@@ -59,28 +57,19 @@ def in_flu(wrist, landmarks) -> tuple[np.ndarray, Rotation]:
     return np.array([unity_left_to_flu_position(*row) for row in p]), Rotation.from_matrix(R)
 
 
-def check(frame, e: Estimate, names: Names) -> None:
-    """Within 0.1 mm and 0.1°."""
-    rows = [names.keypoints.index(n) for n in MEDIAPIPE]
-    points, turn = in_flu(frame.wrist, frame.landmarks)
-    assert_allclose(points, e.keypoints[rows], atol=1e-4)
-    assert (turn * Rotation.from_quat(e.keypoint_q[0]).inv()).magnitude() < np.deg2rad(0.1)
-
-
-def test_the_library_reads_a_recording(tmp_path: Path) -> None:
-    """Every tracked estimate of a session, by UDP."""
-    names, estimates = recorded_hand(tmp_path)
-    assert len(estimates) > 30
+def test_the_library_reads_a_recording(recorded: RecordedHand) -> None:
     receiver = UDPLineReceiver(UDPReceiverConfig(host=LOOPBACK, port=0))
     with receiver:
-        out = opened(names, receiver.local_address[1], numbered=True)
-        for i, e in enumerate(estimates):
+        out = opened(recorded.names, receiver.local_address[1], numbered=True)
+        for i, e in enumerate(recorded.estimates):
             out.send(replace(e, seq=i))
             wrist, landmarks = (parse_line(receiver.recv_line()) for _ in range(2))
             assert (wrist.side.value, wrist.debug.source_frame_seq) == ("Right", i)
-            assert wrist.debug.source_ts_ns == names.wall_ns(e.t)
-            frame = type("Frame", (), {"wrist": wrist.data, "landmarks": landmarks.data})
-            check(frame, e, names)
+            assert abs(wrist.debug.source_ts_ns - recorded.unix_ns(e)) < 1000
+            points, turn = in_flu(wrist.data, landmarks.data)
+            wanted = recorded.points(e)
+            assert_near(points, np.array([wanted[n] for n in MEDIAPIPE]))
+            assert_parallel(turn, recorded.turns(e)["wrist"])
         out.close()
 
 
@@ -114,7 +103,9 @@ def test_the_librarys_client_gets_frames_of_either_hand(side: str) -> None:
         out.close()
         events.close()
     assert frame.side.value == side.title()
-    check(frame, e, names)
+    points, turn = in_flu(frame.wrist, frame.landmarks)
+    assert_near(points, e.keypoints[[names.keypoints.index(n) for n in MEDIAPIPE]])
+    assert_parallel(turn, Rotation.from_quat(e.keypoint_q[0]))
 
 
 def test_it_connects_to_a_server(names: Names, make_estimate) -> None:

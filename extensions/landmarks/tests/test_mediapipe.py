@@ -5,13 +5,15 @@ from __future__ import annotations
 import contextlib
 import json
 import socket
+from typing import Any
 
 import numpy as np
-from numpy.testing import assert_allclose
 
 from extensions.landmarks.mediapipe import ImaginedView, result_text
 from glovetrack.conventions import MEDIAPIPE
 from tests.notices import raises
+from tests.streaming.recorded_hand import RecordedHand, assert_near
+from tracker.messages import Estimate
 from tracker.streaming.connection import LOOPBACK
 from tracker.streaming.publisher import Names, StreamError
 from tracker.streaming.registry import StreamSettings, open_streams, with_streams
@@ -21,32 +23,28 @@ def rows(points: list[dict[str, float]]) -> np.ndarray:
     return np.array([[p["x"], p["y"], p["z"]] for p in points])
 
 
-def test_a_program_gets_world_landmarks_and_an_image(make_estimate, names: Names) -> None:
-    e = make_estimate()
+def test_a_program_gets_world_landmarks_and_an_image(recorded: RecordedHand) -> None:
+    """Of each instant of a recording; points of the image by its scale at the wrist's depth."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
         client.bind((LOOPBACK, 0))
         client.settimeout(2)
         table = {"mediapipe": True, "mediapipe_port": client.getsockname()[1]}
-        (out,) = open_streams(StreamSettings(table), [names])["mediapipe"]
+        (out,) = open_streams(StreamSettings(table), [recorded.names])["mediapipe"]
         with contextlib.closing(out):
-            out.send(e)
-            result = json.loads(client.recv(65536))
-    points = e.keypoints[[names.keypoints.index(n) for n in MEDIAPIPE]]
-    right, down, away = -points[:, 1], -points[:, 2], points[:, 0]
-    world = rows(result["worldLandmarks"][0])
-    assert_allclose(world, np.stack([right, down, away], 1) - world_mean(points), atol=2e-6)
-    image = rows(result["landmarks"][0])
-    assert_allclose(image[:, 0], 0.5 + right / 0.8, atol=2e-6)
-    assert_allclose(image[:, 1], 0.5 + down / 0.6, atol=2e-6)
-    assert_allclose(image[:, 2], (away - away[0]) / 0.8, atol=2e-6)
+            for e in recorded.estimates:
+                out.send(e)
+                check(json.loads(client.recv(65536)), recorded, e)
+
+
+def check(result: dict[str, Any], recorded: RecordedHand, e: Estimate) -> None:
+    points = np.array([recorded.points(e)[name] for name in MEDIAPIPE])
+    wanted = np.stack([-points[:, 1], -points[:, 2], points[:, 0]], 1)  # right, down, away
+    assert_near(rows(result["worldLandmarks"][0]), wanted - wanted.mean(axis=0))
+    image = rows(result["landmarks"][0]) - [0.5, 0.5, 0.0]
+    assert_near(image * [0.8, 0.6, 0.8], wanted - [0, 0, wanted[0, 2]])
     (category,) = result["handednesses"][0]
     assert (category["categoryName"], category["index"]) == ("Right", 1)
-    assert result["timestampMs"] == 1250
-
-
-def world_mean(points: np.ndarray) -> np.ndarray:
-    x, y, z = points.mean(axis=0)
-    return np.array([-y, -z, x])
+    assert result["timestampMs"] == round(1000 * e.t)
 
 
 def test_a_hand_with_a_lost_landmark_is_absent(make_estimate, names: Names) -> None:

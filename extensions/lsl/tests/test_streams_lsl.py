@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from scipy.spatial.transform import Rotation
 
 try:
     import pylsl
@@ -17,9 +18,11 @@ except (ImportError, RuntimeError) as error:  # RuntimeError: no liblsl beside i
 
 from extensions.lsl.outlet import LslPublisher, channels, sample
 from tests.streaming.moving_hand import turning
+from tests.streaming.recorded_hand import RecordedHand, assert_near, assert_parallel
 from tracker.base.clock import ClockAnchor
 from tracker.gestures.values import GESTURES
 from tracker.hand.openxr import JOINTS, joint_radii, to_openxr
+from tracker.messages import Estimate
 from tracker.streaming.publisher import Names
 
 ANCHOR = ClockAnchor(1_732_538_096_123_456_789, 0)
@@ -50,8 +53,9 @@ def test_numbers_of_a_lost_row_are_not_sent(make_estimate, names: Names) -> None
     assert all(math.isnan(v) for v in values.values())
 
 
-def test_an_inlet_reads_what_was_sent_with_its_stamp(make_estimate, names: Names, wait_for) -> None:
-    names = replace(names, anchor=ANCHOR)
+def test_an_inlet_reads_a_recording_with_its_stamps(recorded: RecordedHand, wait_for) -> None:
+    """Instants are moved to the present, as LSL's clock is that of this computer."""
+    names = replace(recorded.names.with_openxr(), anchor=ANCHOR)
     out = LslPublisher(names)
     try:
         found = pylsl.resolve_byprop("source_id", "glovetrack-right", timeout=8)
@@ -61,22 +65,30 @@ def test_an_inlet_reads_what_was_sent_with_its_stamp(make_estimate, names: Names
         inlet = pylsl.StreamInlet(found[0])
         inlet.open_stream(timeout=5)
         wait_for(lambda: out.probe().code == "stream.test_read")
-        t = time.monotonic()
-        e = turning(make_estimate(t), names)
-        out.send(e)
-        values, stamp = inlet.pull_sample(timeout=5)
-        assert_allclose(values, np.float32(sample(e, names)))
-        assert abs(stamp - pylsl.local_clock() - (t - time.monotonic())) < 0.01
-        assert inlet.info(5).get_channel_labels() == [label for label, _ in channels(names)]
+        labels = inlet.info(5).get_channel_labels()
         clock = inlet.info(5).desc().child("clock")
-        unix_ns = int(clock.child_value("unix_ns")) + 1e9 * (
-            stamp - float(clock.child_value("lsl"))
-        )
-        assert unix_ns == pytest.approx(ANCHOR.wall(t), abs=1e5)
+        for e in recorded.estimates:
+            t = time.monotonic()
+            out.send(replace(e, t=t))
+            values, stamp = inlet.pull_sample(timeout=5)
+            assert abs(stamp - pylsl.local_clock() - (t - time.monotonic())) < 0.01
+            check(dict(zip(labels, values, strict=True)), recorded, e)
+            since = 1e9 * (stamp - float(clock.child_value("lsl")))
+            assert int(clock.child_value("unix_ns")) + since == pytest.approx(
+                ANCHOR.wall(t), abs=1e5
+            )
         inlet.close_stream()
     finally:
         out.close()
-    out.send(make_estimate())  # ignored after closing
+    out.send(recorded.estimates[0])  # ignored after closing
+
+
+def check(read: dict[str, float], recorded: RecordedHand, e: Estimate) -> None:
+    for joint, (p, R) in recorded.openxr(e).items():
+        assert_near([read[f"{joint}_{a}"] for a in "xyz"], p)
+        assert_parallel(Rotation.from_quat([read[f"{joint}_q{a}"] for a in "xyzw"]), R)
+    for name, angle in recorded.angles(e).items():
+        assert read[name] == pytest.approx(angle, abs=1e-6)
 
 
 def test_the_second_schema_appends_numbers_and_velocities(make_estimate, names: Names) -> None:

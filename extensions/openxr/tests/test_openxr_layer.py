@@ -12,6 +12,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -33,6 +34,7 @@ from extensions.openxr.tests.scene import (
     world_in,
 )
 from tests.fixtures import RESOURCES
+from tests.streaming.recorded_hand import RecordedHand, assert_near, assert_parallel
 from tracker.geometry import so3
 from tracker.hand.files import load_hand
 from tracker.hand.openxr import JOINTS, OpenXrHand, to_openxr
@@ -290,6 +292,21 @@ def test_the_layer_adds_less_than_a_millisecond(scene: Scene, program) -> None:
         took.append(found["took"][0])
         assert_equal(found, in_space(sent.joints(t), "local", t))
     assert np.median(took) < 1e-3
+
+
+def test_the_application_reads_a_recording(scene: Scene, program, recorded: RecordedHand) -> None:
+    """Each instant of it, sent now as a replay does."""
+    sent, application = program(), scene.application()
+    application.start(TIME)
+    for e in recorded.estimates:
+        t = time.monotonic_ns()
+        sent.publisher.send(replace(e, t=1e-9 * t))
+        found = application.locate(time=t)
+        R, p = world_in("local", PLACED, 1e-9 * t)
+        for joint, (p_joint, R_joint) in recorded.openxr(e).items():
+            row = JOINTS.index(joint)
+            assert_near(found["position"][row], R.apply(p_joint) + p)
+            assert_parallel(Rotation.from_quat(found["orientation"][row]), R * R_joint)
 
 
 # --- with and without a program

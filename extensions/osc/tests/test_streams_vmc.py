@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import socket
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -18,6 +19,13 @@ from extensions.osc.vmc import OPENXR_JOINT, VmcPublisher
 from extensions.osc.vmc_pose import AvatarHand, unity_pose
 from tests.fixtures import RESOURCES
 from tests.streaming.moving_hand import turning
+from tests.streaming.posed_hand import posed_estimate, side_names
+from tests.streaming.recorded_hand import (
+    OPENXR_JOINTS,
+    RecordedHand,
+    assert_near,
+    assert_parallel,
+)
 from tracker.base.clock import ClockAnchor
 from tracker.gestures.values import GESTURES
 from tracker.hand.files import load_hand
@@ -30,6 +38,19 @@ POSE = "/VMC/Ext/Tra/Pos"
 # An avatar's axes, seen along its gaze, right-handed (east, north, up):
 # it looks north, its right hand points east and its left hand west, palms down.
 ENU_OF_UNITY = np.array([[1.0, 0, 0], [0, 0, 1], [0, 1, 0]])
+UNITY_OF_G = np.array([[0.0, -1, 0], [0, 0, 1], [1, 0, 0]])
+UNITY_OF_RIGHT = np.array([[1.0, 0, 0], [0, 0, 1], [0, 1, 0]])
+"""Columns: the axes of a right hand's dorsum (x to the fingers, z dorsal) in the T-pose."""
+UNITY_NAMES = {
+    "thumb_metacarpal": "ThumbProximal",
+    "thumb_proximal": "ThumbIntermediate",
+    "thumb_distal": "ThumbDistal",
+    **{
+        f"{finger}_{part}": f"{finger.title()}{part.title()}"
+        for finger in ("index", "middle", "ring", "little")
+        for part in ("proximal", "intermediate", "distal")
+    },
+}
 HAND_IN_ENU = {"right": np.eye(3), "left": np.diag([-1.0, -1.0, 1.0])}
 
 
@@ -37,15 +58,16 @@ def shipped(side: str) -> HandModel:
     return load_hand(RESOURCES / "hands" / f"reference-{side}.toml")
 
 
-def compose(hand: HandModel, angles: np.ndarray) -> np.ndarray:
-    """(S, 3) positions in Unity of the bones, as an avatar's player adds them up."""
-    avatar = AvatarHand(hand)
-    R, p = [np.eye(3)], [np.zeros(3)]
-    for i in range(1, len(hand.segments)):
-        a = hand.parent[i]
-        p.append(p[a] + R[a] @ avatar.offsets[i])
-        R.append(R[a] @ Rotation.from_quat(avatar.rotations([i], angles)[0]).as_matrix())
-    return np.array(p)
+def compose(
+    hand: HandModel, local: dict[str, np.ndarray]
+) -> dict[str, tuple[np.ndarray, Rotation]]:
+    """Poses in the hand bone's axes in Unity, as an avatar's player adds the local ones (7,) up."""
+    out = {hand.segment_names[0]: (np.zeros(3), Rotation.identity())}
+    for i, name in enumerate(hand.segment_names[1:], start=1):
+        p, R = out[hand.segment_names[hand.parent[i]]]
+        pose = local[name]
+        out[name] = p + R.apply(pose[:3]), R * Rotation.from_quat(pose[3:])
+    return out
 
 
 @pytest.mark.parametrize("side", ["right", "left"])
@@ -53,7 +75,21 @@ def test_an_avatar_that_adds_the_bones_up_has_the_hands_shape(side: str) -> None
     hand = shipped(side)
     angles = np.random.default_rng(7).uniform(*hand.angle_limits.T)
     _, truth = hand.forward(angles, HAND_IN_ENU[side], np.zeros(3))
-    assert_allclose(compose(hand, angles) @ ENU_OF_UNITY.T, truth, atol=1e-9)
+    avatar, rows = AvatarHand(hand), range(len(hand.segments))
+    local = np.column_stack([avatar.offsets, avatar.rotations(rows, angles)])
+    found = compose(hand, dict(zip(hand.segment_names, local, strict=True)))
+    positions = np.array([p for p, _ in found.values()])
+    assert_allclose(positions @ ENU_OF_UNITY.T, truth, atol=1e-9)
+
+
+@pytest.mark.parametrize("side", ["right", "left"])
+def test_poses_of_segments_are_those_of_their_angles(side: str) -> None:
+    names = side_names(side)
+    e, avatar = posed_estimate(names, 3), AvatarHand(names.model)
+    bones = range(1, len(names.model.segments))
+    found = avatar.poses(bones, e)
+    unknown = replace(e, segment_R=np.full_like(e.segment_R, np.nan))
+    assert_allclose(found, avatar.poses(bones, unknown), atol=1e-7)
 
 
 @pytest.mark.parametrize("side", ["right", "left"])
@@ -93,34 +129,49 @@ def test_messages_are_read_by_another_library(text: str) -> None:
 
 def received(hand: HandModel, estimate: Estimate) -> list[list[Any]]:
     """[address, arguments...] of every message of the bundle that a client gets."""
+    (found,) = all_received(hand, [estimate])
+    return found
+
+
+def all_received(hand: HandModel, estimates: Sequence[Estimate]) -> list[list[list[Any]]]:
+    """The same of each estimate, from one stream."""
+    found = []
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
         client.bind(("127.0.0.1", 0))
         client.settimeout(2)
         out = VmcPublisher(hand, "127.0.0.1", client.getsockname()[1])
-        out.send(estimate)
+        for estimate in estimates:
+            out.send(estimate)
+            found.append(OscBundle(client.recv(65536)))
         out.close()
-        bundle = OscBundle(client.recv(65536))
-    return [[m.address, *m.params] for m in bundle]
+    return [[[m.address, *m.params] for m in bundle] for bundle in found]
 
 
 def bones(messages: list[list[Any]], address: str) -> dict[str, list[Any]]:
     return {m[1]: m[2:] for m in messages if m[0] == address}
 
 
-def test_every_bone_arrives_under_unitys_name(hand, make_estimate) -> None:
-    e = make_estimate(angles={"thumb_cmc_flexion": 0.4})
-    messages = received(hand, e)
-    assert messages[0] == ["/VMC/Ext/OK", 1, 3, 0, 1]
-    poses = bones(messages, "/VMC/Ext/Bone/Pos")
-    assert len(poses) == 15
-    i = hand.index["thumb_metacarpal"]
-    avatar = AvatarHand(hand)
-    expected = [*avatar.offsets[i], *avatar.rotations([i], e.angles)[0]]
-    assert_allclose(poses["RightThumbProximal"], expected, atol=1e-6)  # Unity's shifted thumb
-    assert {"RightThumbIntermediate", "RightThumbDistal", "RightLittleDistal"} <= poses.keys()
-    p, q = unity_pose(e.keypoints[0], e.keypoint_q[0])
-    tracker = bones(messages, "/VMC/Ext/Tra/Pos")["glovetrack-right"]
-    assert_allclose(tracker, [*p, *q], atol=1e-6)
+def test_an_avatar_has_the_recorded_hand(recorded: RecordedHand) -> None:
+    """Its bones, added up from the tracker's pose, are where the recording has the joints, also
+    where they turn about axes without an angle; under Unity's names, with its shifted thumb."""
+    hand = recorded.names.model
+    rest, _ = hand.forward(np.zeros(len(hand.joint_names)), np.eye(3), np.zeros(3))
+    for e, messages in zip(recorded.estimates, all_received(hand, recorded.estimates), strict=True):
+        assert messages[0] == ["/VMC/Ext/OK", 1, 3, 0, 1]
+        poses = bones(messages, "/VMC/Ext/Bone/Pos")
+        assert len(poses) == 15
+        tracker = np.array(bones(messages, "/VMC/Ext/Tra/Pos")["glovetrack-right"])
+        p_wrist, R_wrist = tracker[:3], Rotation.from_quat(tracker[3:])
+        # the hand bone's axes (x to the fingers, y up) in a tracker's (z to the fingers, y up)
+        of_bone = R_wrist * Rotation.from_euler("y", -90, degrees=True)
+        local = {name: np.array(poses[f"Right{bone}"]) for name, bone in UNITY_NAMES.items()}
+        points, turns = recorded.points(e), recorded.turns(e)
+        for name, (p, R) in list(compose(hand, local).items())[1:]:
+            keypoint = OPENXR_JOINTS[name]
+            assert_near(p_wrist + of_bone.apply(p), UNITY_OF_G @ points[keypoint])
+            axes = (of_bone * R).as_matrix() @ UNITY_OF_RIGHT @ rest[hand.index[name]]
+            found = Rotation.from_matrix(UNITY_OF_G.T @ axes)
+            assert_parallel(found, turns[keypoint])
 
 
 def test_a_lost_bone_is_sent_as_lost_without_a_pose(hand, make_estimate) -> None:

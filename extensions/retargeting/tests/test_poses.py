@@ -17,6 +17,7 @@ from extensions.retargeting.poses import LANDMARKS, TIPS, PoseView, pose_text
 from glovetrack.conventions import R_B_OPERATOR, operator_frame, to_mediapipe
 from resources import folder
 from tests.notices import raises
+from tests.streaming.recorded_hand import RecordedHand, assert_near, assert_parallel
 from tracker.base.clock import ClockAnchor
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -27,6 +28,8 @@ from tracker.streaming.connection import LOOPBACK
 from tracker.streaming.publisher import Names, StreamError
 from tracker.streaming.registry import StreamSettings, open_streams, with_streams
 
+R_BX = np.array([[0.0, 0, -1], [-1, 0, 0], [0, 1, 0]])
+"""-z points to the tip, y leaves the back of the hand."""
 FRAMES = ("world", "openxr", "wrist", "operator")
 ANCHOR = ClockAnchor(1_732_538_096_123_456_789, 0)
 
@@ -73,20 +76,20 @@ def test_every_kind_of_message_matches_its_schema(
         assert message["poses"]["thumb_tip"]["position"] is None
 
 
-def test_a_program_gets_named_tips_with_sd_state_and_instant(make_estimate, dated: Names) -> None:
-    e = make_estimate()
-    message = received(e, dated, {})
-    assert tuple(message["poses"]) == TIPS
-    assert (message["side"], message["t"], message["frame"]) == ("right", 1.25, "world")
-    assert message["t_unix_ns"] == ANCHOR.wall_ns + 1_250_000_000
-    tip = message["poses"]["index_tip"]
-    assert (tip["sd"], tip["state"]) == (0.002, "measured")
-    row = dated.keypoints.index("index_tip")
-    assert_allclose(tip["position"], e.keypoints[row], atol=1e-6)
-    R_GB = Rotation.from_quat(e.keypoint_q[row]).as_matrix()
-    R_GX = Rotation.from_quat(tip["orientation_xyzw"]).as_matrix()
-    assert_allclose(R_GX[:, 2], -R_GB[:, 0], atol=1e-5, err_msg="-z points to the tip")
-    assert_allclose(R_GX[:, 1], R_GB[:, 2], atol=1e-5, err_msg="y leaves the back of the hand")
+def test_a_program_gets_named_tips_with_sd_state_and_instant(recorded: RecordedHand) -> None:
+    """Of each instant of a recording."""
+    row = recorded.names.keypoints.index("index_tip")
+    for e in recorded.estimates:
+        message = received(e, recorded.names.with_openxr(), {})
+        assert tuple(message["poses"]) == TIPS
+        assert (message["side"], message["frame"]) == ("right", "world")
+        assert abs(message["t_unix_ns"] - recorded.unix_ns(e)) < 1000
+        assert message["poses"]["index_tip"]["sd"] == pytest.approx(e.keypoint_sd[row], abs=1e-6)
+        of_X = Rotation.from_matrix(R_BX)
+        for name, pose in message["poses"].items():
+            assert_near(pose["position"], recorded.points(e)[name])
+            found = Rotation.from_quat(pose["orientation_xyzw"])
+            assert_parallel(found, recorded.turns(e)[name] * of_X)
 
 
 def test_openxr_joints_are_those_of_the_other_streams(make_estimate, dated: Names) -> None:
@@ -238,16 +241,17 @@ def test_nvidias_gripper_closes_on_a_pinch(make_estimate, dated: Names, hand: Ha
     assert gripper(lost) == -1.0, "a lost tip changes nothing"
 
 
-def test_nvidias_se3_retargeter_has_the_wrists_pose(make_estimate, dated: Names) -> None:
+def test_nvidias_se3_retargeter_has_the_wrists_pose(recorded: RecordedHand) -> None:
     theirs = pytest.importorskip("isaacteleop.retargeters")
     config = theirs.Se3RetargeterConfig(
         input_device="hand_right", use_wrist_position=True, use_wrist_rotation=True,
         zero_out_xy_rotation=False, target_offset_roll=0.0, target_offset_pitch=0.0,
         target_offset_yaw=0.0,
     )  # fmt: skip
-    message = received(make_estimate(), dated, {"joints": "openxr"})
-    out = Isaac(theirs.Se3AbsRetargeter(config, name="se3"))(message)
-    wrist = message["poses"]["wrist"]
-    assert_allclose(out[:3], wrist["position"], atol=1e-4)
-    turn = Rotation.from_quat(out[3:7]) * Rotation.from_quat(wrist["orientation_xyzw"]).inv()
-    assert np.rad2deg(turn.magnitude()) < 0.1
+    retargeter = Isaac(theirs.Se3AbsRetargeter(config, name="se3"))
+    for e in recorded.estimates[::5]:
+        message = received(e, recorded.names.with_openxr(), {"joints": "openxr"})
+        out = retargeter(message)
+        assert_near(out[:3], recorded.points(e)["wrist"])
+        wanted = recorded.turns(e)["wrist"] * Rotation.from_matrix(R_BX)
+        assert_parallel(Rotation.from_quat(out[3:7]), wanted)

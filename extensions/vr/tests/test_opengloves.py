@@ -16,6 +16,8 @@ from numpy.testing import assert_allclose
 
 from tests.notices import raises
 from tests.streaming.posed_hand import posed_estimate
+from tests.streaming.recorded_hand import RecordedHand
+from tracker.hand.names import FINGERS
 from tracker.messages import Estimate
 from tracker.streaming.publisher import Names, Publisher, StreamError
 from tracker.streaming.registry import StreamSettings, open_streams
@@ -36,32 +38,43 @@ def opened(names: Names, kind: str, **options: str) -> Publisher:
     return open_streams(StreamSettings(table), [names])[kind][0]
 
 
-def share(names: Names, e: Estimate, joint: str) -> float:
+def share(recorded: RecordedHand, e: Estimate, joint: str) -> float:
     """Share of the angle's range, from straight (0) to its maximum (1)."""
-    j = names.angles.index(joint)
-    low, high = names.model.angle_limits[j]
-    return float(np.clip((e.angles[j] - max(low, 0.0)) / (high - max(low, 0.0)), 0, 1))
+    names = recorded.names
+    low, high = names.model.angle_limits[names.angles.index(joint)]
+    angle = recorded.angles(e)[joint]
+    return float(np.clip((angle - max(low, 0.0)) / (high - max(low, 0.0)), 0, 1))
 
 
-def test_the_pipe_gets_the_drivers_structure(names: Names, tmp_path: Path) -> None:
-    pipe, e = tmp_path / "right", posed_estimate(names, 8)
+def splay(recorded: RecordedHand, e: Estimate, finger: str) -> float:
+    """-1 to 1 for 20° to either side."""
+    angle = recorded.angles(e)[f"{finger}_mcp_abduction"]
+    return float(np.clip(np.rad2deg(angle) / 20, -1, 1))
+
+
+def test_the_pipe_gets_the_drivers_structure(recorded: RecordedHand, tmp_path: Path) -> None:
+    """Its floats have the angles of a recording to 1e-6 of their range."""
+    pipe = tmp_path / "right"
     os.mkfifo(pipe)
     reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
-    out = opened(names, "opengloves", pipe=str(tmp_path / "{side}"))
+    out = opened(recorded.names, "opengloves", pipe=str(tmp_path / "{side}"))
     with contextlib.closing(out):
-        out.send(e)
-        assert out.clients == 1
-        data = os.read(reader, 4096)
+        for e in recorded.estimates:
+            out.send(e)
+            assert out.clients == 1
+            data = os.read(reader, 4096)
+            assert len(data) == 120
+            check(np.frombuffer(data, C_STRUCT)[0], recorded, e)
     os.close(reader)
-    assert len(data) == 120
-    found = np.frombuffer(data, C_STRUCT)[0]
-    for digit, finger in enumerate(("index", "middle", "ring", "little"), start=1):
-        wanted = [share(names, e, f"{finger}_{j}_flexion") for j in ("mcp", "mcp", "pip", "dip")]
-        assert_allclose(found["flexion"][digit], wanted, atol=1e-6)
-    thumb = [share(names, e, f"thumb_{j}_flexion") for j in ("cmc", "mcp", "ip", "ip")]
-    assert_allclose(found["flexion"][0], thumb, atol=1e-6)
-    j = names.angles.index("index_mcp_abduction")
-    assert found["splay"][1] == pytest.approx(np.clip(np.rad2deg(e.angles[j]) / 20, -1, 1))
+
+
+def check(found: np.void, recorded: RecordedHand, e: Estimate) -> None:
+    wanted = [[f"{f}_{j}_flexion" for j in ("mcp", "mcp", "pip", "dip")] for f in FINGERS]
+    wanted = [[f"thumb_{j}_flexion" for j in ("cmc", "mcp", "ip", "ip")], *wanted]
+    shares = [[share(recorded, e, joint) for joint in digit] for digit in wanted]
+    assert_allclose(found["flexion"], shares, atol=1e-6)
+    splays = [splay(recorded, e, finger) for finger in FINGERS]
+    assert_allclose(found["splay"][1:], splays, atol=1e-6)
     assert not found["buttons"][[0, 6, 7]].any()
     assert 0.0 <= found["trigger"] <= 1.0
 
@@ -98,25 +111,28 @@ def parsed(line: str) -> dict[str, int | None]:
     return {key: int(value) if value else None for key, value in pairs}
 
 
-def test_a_serial_port_gives_monados_line(names: Names, tmp_path: Path) -> None:
-    e = posed_estimate(names, 9)
-    out = opened(names, "monado", link=str(tmp_path / "glove-{side}"))
+def test_a_serial_port_gives_monados_line(recorded: RecordedHand, tmp_path: Path) -> None:
+    """A line's numbers have 10 bits: the angles of a recording to half a step of 1/1023."""
+    out = opened(recorded.names, "monado", link=str(tmp_path / "glove-{side}"))
     with contextlib.closing(out), serial.Serial(str(tmp_path / "glove-right"), timeout=2) as port:
-        out.send(e)
-        line = port.readline().decode()
-        assert out.probe().code == "vr.line_read"
-    assert len(line) < 256  # the driver's buffer
-    found = parsed(line)
-    for letter, finger in zip("BCDE", ("index", "middle", "ring", "little"), strict=True):
-        shares = [share(names, e, f"{finger}_{j}_flexion") for j in ("mcp", "pip", "dip")]
-        joints = [found[f"({letter}A{k})"] for k in "BCD"]
-        assert_allclose(np.array(joints) / 1023, shares, atol=1e-3)
-        assert found[letter] == pytest.approx(1023 * np.mean(shares), abs=1)
-        j = names.angles.index(f"{finger}_mcp_abduction")
-        splay = np.clip(np.rad2deg(e.angles[j]) / 20, -1, 1)
-        assert (found[f"({letter}B)"] / 1023 - 0.5) * 2 == pytest.approx(splay, abs=2e-3)
-    assert "P" in found
+        for e in recorded.estimates:
+            out.send(e)
+            line = port.readline().decode()
+            assert len(line) < 256  # the driver's buffer
+            assert out.probe().code == "vr.line_read"
+            check_line(parsed(line), recorded, e)
     assert not (tmp_path / "glove-right").is_symlink()
+
+
+def check_line(found: dict[str, int | None], recorded: RecordedHand, e: Estimate) -> None:
+    for letter, finger in zip("BCDE", FINGERS, strict=True):
+        shares = [share(recorded, e, f"{finger}_{j}_flexion") for j in ("mcp", "pip", "dip")]
+        joints = [found[f"({letter}A{k})"] for k in "BCD"]
+        assert_allclose(joints, 1023 * np.array(shares), atol=0.5 + 1e-6)
+        assert found[letter] == pytest.approx(1023 * np.mean(shares), abs=0.5 + 1e-6)
+        wanted = 1023 * (splay(recorded, e, finger) + 1) / 2
+        assert found[f"({letter}B)"] == pytest.approx(wanted, abs=0.5 + 1e-6)
+    assert "P" in found
 
 
 def test_lines_that_nothing_reads_are_discarded(names: Names) -> None:
