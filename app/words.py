@@ -64,6 +64,11 @@ def notice_text(what: Notice) -> str:
     return render(what, Language(_word, _Catalogue.decimal))
 
 
+def shown(text: str | Notice) -> str:
+    """A finished text unchanged, a notice translated."""
+    return notice_text(text) if isinstance(text, Notice) else text
+
+
 def error_text(error: BaseException) -> str:
     """Translates an error's notice to the user's language."""
     return notice_text(notice_of(error))

@@ -21,6 +21,7 @@ from app.jobs.connections import Connections, remembered
 from app.jobs.openings import Openings
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore, sessions_folder
+from app.words import shown, tr
 from tracker.base.files import free_path
 from tracker.base.notices import Notice, warning
 from tracker.messages import Event, Validity
@@ -236,7 +237,7 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
     def test(self, name: str) -> None:
         """Find out whether a program receives an output; `tested` reports it."""
         output = self._openings.get(name)
-        title = self.kinds[name].title
+        title = tr(self.kinds[name].title)
         if output is None:
             self.tested.emit(name, warning("stream.test_off", stream=title))
             return
@@ -253,8 +254,9 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
         """Close a stream and, if an engine runs, reopen it with the current settings."""
         setup = self._wanted_on(name)
         words = self.tr("Closing {}") if setup is None else self.tr("Opening {}")
+        title = tr(self.kinds[name].title) if name in self.kinds else name
         make = partial(self._made, name, setup) if setup is not None else None
-        self._openings.renew(name, words.format(name), make, partial(self._attach, setup))
+        self._openings.renew(name, words.format(title), make, partial(self._attach, setup))
 
     def _wanted_on(self, name: str) -> EngineSetup | None:
         """The engine that a stream should be attached to."""
@@ -304,7 +306,7 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
         if setup is None or now is None or now.engine is not setup.engine:
             return False
         output.attach(self._report)
-        running = self.tr("The stream {} is running.").format(output.title)
+        running = self.tr("The stream {} is running.").format(shown(output.title))
         self._host.happened.emit(Event(0.0, "device", running))
         return True
 

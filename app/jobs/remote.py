@@ -17,6 +17,7 @@ from app.jobs.openings import Openings
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
 from app.viewmodels.recording import RecordingPlan, duration_text
+from app.words import shown
 from tracker.base.clock import monotonic
 from tracker.base.notices import notice, plain
 from tracker.hand.names import CHAINS, SIDES
@@ -275,7 +276,7 @@ class RemoteControl(Connections[DoorKind[Any], ConnectionSettings]):
         self._openings.renew(name, title, make if self.is_on(name) else None, self._take)
 
     def _take(self, door: Door) -> bool:
-        words = self.tr("Remote control over {} is open.").format(door.counts().name)
+        words = self.tr("Remote control over {} is open.").format(shown(door.counts().name))
         self._host.happened.emit(Event(0.0, "device", words))
         return True
 

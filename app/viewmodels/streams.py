@@ -6,7 +6,7 @@ from dataclasses import dataclass, fields
 from typing import Any
 
 from app.viewmodels.states import BAD, GOOD, IDLE, WARN, StateLook
-from app.words import notice_text, tr
+from app.words import notice_text, shown, tr
 from tracker.base.notices import Notice, Severity
 from tracker.hand.names import CHAINS
 from tracker.streaming.connection import HOST, ConnectionKind
@@ -48,7 +48,7 @@ def stream_row(on: bool, running: bool, counts: StreamCounts | None, problem: st
     look, state = (WARN, tr("failing")) if counts.error else (GOOD, tr("sending"))
     if not counts.error and counts.clients == 0:
         state = tr("no listeners")
-    tip = "\n".join([counts.error or counts.name, *_missed(counts)])
+    tip = "\n".join([shown(counts.error or counts.name), *_missed(counts)])
     return StreamRow(look, state, clients, _sent(counts), str(counts.left_out), tip)
 
 
@@ -82,7 +82,7 @@ def door_row(on: bool, counts: DoorCounts | None, problem: str) -> StreamRow:
     clients = len(lately) if counts.clients is None else counts.clients
     state = tr("connected") if clients else tr("no clients")
     requests = [tr("{}, {} s ago").format(peer, f"{ago:.0f}") for peer, ago in reversed(lately)]
-    tip = "\n".join([counts.name, *requests[:8]])
+    tip = "\n".join([shown(counts.name), *requests[:8]])
     return StreamRow(GOOD, state, str(clients), str(counts.asked), str(counts.refused), tip)
 
 

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from extensions.conformance.isaac.record import HandRecord, Stamps, joints_of
 from extensions.conformance.isaac.writer import IsaacWriter
-from tracker.base.notices import notice
+from tracker.base.notices import Notice, notice, warning
 from tracker.messages import Estimate
 from tracker.streaming.payload import openxr_of
 from tracker.streaming.publisher import Names, OtherHand, StreamError
@@ -37,13 +37,13 @@ class IsaacPublisher:
         if not names.openxr:
             raise StreamError(notice("isaac.needs_openxr"))
         self._names, self._clock_ns, self._tips = names, clock_ns, tips
-        self.name = f"Isaac record {path.name}"
+        self.name = notice("isaac.record", file=path.name)
         try:
             self._file = path.open("xb")
         except OSError as error:
             raise StreamError(notice("file.not_created", path=path, why=error.strerror)) from error
         self._writer = IsaacWriter(self._file)
-        self._last = 0
+        self._last = self._count = 0
         self._writing = threading.Lock()
 
     def send(self, estimate: Estimate) -> None:
@@ -64,9 +64,16 @@ class IsaacPublisher:
         available = self._last = max(self._clock_ns(), sample, self._last)
         hand = openxr_of(estimate, names)
         stamps = Stamps(available, sample, sample)
+        self._count += 1
         self._writer.write(names.side, HandRecord(stamps, joints_of(hand)))
         if self._tips:
             self._writer.write_tips(names.side, stamps, hand)
+
+    def probe(self) -> Notice:
+        """Whether hands are written: a file has no receiver."""
+        if not self._count:
+            return warning("stream.test_nothing", stream=self.name)
+        return notice("isaac.test_written", stream=self.name, count=self._count)
 
     def close(self) -> None:
         with self._writing:

@@ -86,7 +86,7 @@ class FoxglovePublisher:
             max_size=MAX_SAID,
         )
         self.port = self._server.port
-        self.name = f"Foxglove at {host}:{self.port}"
+        self.name = notice("stream.at", stream="Foxglove", host=host, port=self.port)
 
     @property
     def clients(self) -> int:

@@ -12,6 +12,7 @@ from typing import Protocol
 from tracker.base.notices import Notice, notice
 from tracker.streaming.connection import StreamError
 from tracker.streaming.datagram import DatagramSocket
+from tracker.streaming.publisher import Title
 
 UDP, TCP, SERVER = TRANSPORTS = ("udp", "tcp", "server")
 CONNECT_WAIT, RETRY_AFTER = 0.5, 1.0  # s
@@ -21,7 +22,8 @@ MOST_CLIENTS = 16
 class LineSender(Protocol):
     """Sends lines; of all hands, from a thread of each."""
 
-    name: str
+    @property
+    def name(self) -> Title: ...
 
     def send(self, lines: list[str]) -> None: ...
 
@@ -35,7 +37,7 @@ class DatagramLines:
     """One datagram for each line."""
 
     def __init__(self, what: str, host: str, port: int) -> None:
-        self.name = f"{what} to {host}:{port} (UDP)"
+        self.name = notice("stream.to", stream=f"{what} (UDP)", host=host, port=port)
         self.socket = DatagramSocket(what, host, port)
 
     def send(self, lines: list[str]) -> None:
@@ -54,7 +56,7 @@ class ConnectedLines:
     after it breaks. Raises StreamError meanwhile."""
 
     def __init__(self, what: str, host: str, port: int) -> None:
-        self.name = f"{what} to {host}:{port} (TCP)"
+        self.name = notice("stream.to", stream=f"{what} (TCP)", host=host, port=port)
         self._address, self._lock = (host, port), threading.Lock()
         self._socket: socket.socket | None = None
         self._due = 0.0  # s of the monotonic clock when the next attempt is made
@@ -118,7 +120,7 @@ class ServedLines:
             ) from error
         self._server.setblocking(False)
         self.port = self._server.getsockname()[1]
-        self.name = f"{what} at {host}:{self.port} (TCP)"
+        self.name = notice("stream.at", stream=f"{what} (TCP)", host=host, port=self.port)
         self._clients: list[socket.socket] = []
         self._lock = threading.Lock()
 

@@ -54,7 +54,7 @@ class MediaPipePublisher:
 
     def __init__(self, names: Names, view: ImaginedView, host: str, port: int) -> None:
         self._names, self._view = names, view
-        self.name = f"MediaPipe JSON to {host}:{port}"
+        self.name = notice("stream.to", stream="MediaPipe JSON", host=host, port=port)
         self._socket = DatagramSocket("mediapipe", host, port)
 
     def send(self, estimate: Estimate) -> None:

@@ -54,7 +54,7 @@ class LslPublisher:
             pylsl.set_config_content(LOCAL_ONLY)
         pylsl.local_clock()  # the first call loads the settings, which takes 16 ms
         self._offset = pylsl.local_clock() - clock()
-        self.name = f"LSL outlet Glovetrack {names.side}"
+        self.name = notice("stream.outlet", stream="LSL", name=f"Glovetrack {names.side}")
         self._outlet: pylsl.StreamOutlet | None = pylsl.StreamOutlet(
             stream_info(names, schema, self._offset), max_buffered=BUFFER_S
         )

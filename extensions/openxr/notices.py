@@ -1,6 +1,7 @@
 """Texts of the OpenXR layer's notices."""
 
 TEXTS = {
+    "openxr.layer": "OpenXR layer",
     "openxr.no_compiler": "No C++ compiler was found. Install one; on Debian: apt-get install g++",
     "openxr.no_headers": (
         "The headers of OpenXR were not found. Install them; on Debian: apt-get install "

@@ -70,7 +70,7 @@ class OpenXrPublisher:
         now_ns: Callable[[], int] = time.monotonic_ns,
     ) -> None:
         """``memory``: its path, if it is not the usual one."""
-        self.name = "OpenXR layer"
+        self.name = notice("openxr.layer")
         self._clock = Clock.PERFORMANCE_COUNTER if sys.platform == "win32" else Clock.MONOTONIC
         self._shift_ns = (
             clock_ns(self._clock) - time.monotonic_ns() if sys.platform == "win32" else 0

@@ -33,7 +33,7 @@ from extensions.osc.encode import (
     message,
 )
 from extensions.osc.vmc_pose import AvatarHand, unity_pose, unity_velocity
-from tracker.base.notices import Notice
+from tracker.base.notices import Notice, notice
 from tracker.gestures.values import GESTURES
 from tracker.hand.model import HandModel
 from tracker.hand.names import FINGERS
@@ -70,7 +70,7 @@ class VmcPublisher:
         velocity: bool = False,
     ) -> None:
         """``names``: of the estimates' rows, where OpenXR's joints or the velocities are sent."""
-        self.name = f"VMC to {host}:{port}"
+        self.name = notice("stream.to", stream="VMC", host=host, port=port)
         self._hand, self._names, self._velocity = hand, names, velocity
         self._gestures = names.recogniser() if names is not None else None
         self._avatar = AvatarHand(hand)

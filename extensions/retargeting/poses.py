@@ -158,7 +158,7 @@ class PosePublisher:
 
     def __init__(self, names: Names, view: PoseView, host: str, port: int) -> None:
         self._names, self._view = names, view
-        self.name = f"Keyed poses to {host}:{port}"
+        self.name = notice("poses.to", host=host, port=port)
         self._socket = DatagramSocket("poses", host, port)
 
     def send(self, estimate: Estimate) -> None:

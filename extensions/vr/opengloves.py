@@ -45,7 +45,7 @@ class PipePublisher:
     def __init__(self, names: Names, gestures: ButtonGestures, pipe: str) -> None:
         """``pipe``: its path, in which ``{side}`` is replaced by left or right."""
         self._path = pipe.replace("{side}", names.side)
-        self.name = f"OpenGloves at {self._path}"
+        self.name = notice("vr.at", stream="OpenGloves", path=self._path)
         self._controls = control_reader(names, gestures)
         self._file = -1
         self._due = 0.0  # s of the monotonic clock when it is opened next
@@ -115,7 +115,7 @@ class LinePublisher:
         self.path = os.ttyname(self._slave)
         self._link = Path(link.replace("{side}", names.side)) if link else None
         self._unread = False
-        self.name = f"Monado at {self._link or self.path}"
+        self.name = notice("vr.at", stream="Monado", path=self._link or self.path)
         if self._link is not None:
             self._point(self._link)
 

@@ -59,7 +59,7 @@ class VmtPublisher:
     def __init__(
         self, names: Names, device: VmtDevice, gestures: ButtonGestures, host: str, port: int
     ) -> None:
-        self.name = f"VMT to {host}:{port}"
+        self.name = notice("stream.to", stream="VMT", host=host, port=port)
         self._names = names if names.openxr else names.with_openxr()
         self._device = device.index
         self._skeleton = BoneSkeleton(names.side, device.controller)

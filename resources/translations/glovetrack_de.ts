@@ -12881,8 +12881,23 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>The stream {stream} fails: {why}.</source>
-      <translation>Der Stream {stream} ist gestört: {why}.</translation>
+      <source>{stream} to {host}:{port}</source>
+      <translation>{stream} an {host}:{port}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{stream} at {host}:{port}</source>
+      <translation>{stream} auf {host}:{port}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{stream} outlet {name}</source>
+      <translation>{stream}-Ausgang {name}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The stream {stream} fails. {why}</source>
+      <translation>Der Stream {stream} schlägt fehl. {why}</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -13606,6 +13621,16 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>Isaac record {file}</source>
+      <translation>Isaac-Handdaten {file}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{stream}: {count} hands were written. The file is complete when the stream is switched off.</source>
+      <translation>{stream}: {count} Hände wurden geschrieben. Die Datei ist vollständig, sobald der Stream ausgeschaltet ist.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>{path} is not an MCAP file, or it is truncated.</source>
       <translation>{path} ist keine MCAP-Datei oder ist abgeschnitten.</translation>
     </message>
@@ -13813,6 +13838,11 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>{first} and {other} differ in their {what:word}, which must be the same for all episodes. Export them one by one, or leave the difference out (--images none).</source>
       <translation>{first} und {other} unterscheiden sich ({what:word}); bei allen Episoden muss das gleich sein. Exportieren Sie sie einzeln, oder lassen Sie den Unterschied weg (--images none).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>OpenXR layer</source>
+      <translation>OpenXR-Schicht</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -14098,6 +14128,11 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>must be a list of its three columns x, y and z</source>
       <translation>muss eine Liste der drei Spalten x, y und z sein</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Keyed poses to {host}:{port}</source>
+      <translation>Benannte Posen an {host}:{port}</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -14593,6 +14628,11 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>--ruler must be 240 to 280 mm. Measure the printed line of 260 mm.</source>
       <translation>--ruler muss 240 bis 280 mm sein. Messen Sie die gedruckte Linie von 260 mm.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{stream} at {path}</source>
+      <translation>{stream} unter {path}</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />

@@ -67,7 +67,7 @@ def test_every_option_has_a_help_text() -> None:
 def test_enabled_streams_are_opened(names: Names, make_estimate) -> None:
     table = {"udp": True, "websocket": True, "vmc": True, "websocket_port": free_port()}
     out = open_streams(StreamSettings(table), [names])
-    assert [p.name.split()[0] for (p,) in out.values()] == ["UDP", "WebSocket", "VMC"]
+    assert [p.name.values["stream"] for (p,) in out.values()] == ["UDP", "WebSocket", "VMC"]
     for (publisher,) in out.values():
         publisher.send(make_estimate())
         publisher.close()

@@ -22,7 +22,7 @@ from tracker.messages import Estimate
 from tracker.streaming.apart_child import serve
 from tracker.streaming.apart_messages import Answered, Asked, Counted, Reported, Sent
 from tracker.streaming.connection import StreamError
-from tracker.streaming.publisher import Names
+from tracker.streaming.publisher import Names, Title
 from tracker.streaming.streams import StreamCounts
 
 START_WAIT = 60.0  # s for the process to import what a stream needs, on a loaded computer
@@ -141,7 +141,7 @@ class StreamsProcess:
 class ApartStream:
     """One stream in the process; ``titles`` are the names of its publishers."""
 
-    def __init__(self, process: StreamsProcess, key: int, titles: Sequence[str]) -> None:
+    def __init__(self, process: StreamsProcess, key: int, titles: Sequence[Title]) -> None:
         self._process, self._key, self.titles = process, key, tuple(titles)
 
     def start(self, report: Callable[[Notice], None]) -> None:
@@ -153,7 +153,7 @@ class ApartStream:
         """Counts of each hand."""
         found = self._process.counts(self._key)
         if self._process.ended:
-            ended = str(_has_ended())
+            ended = _has_ended().notice
             return tuple(StreamCounts(title, 0, 0, 0, ended) for title in self.titles)
         return found or tuple(StreamCounts(title, 0, 0, 0, "") for title in self.titles)
 

@@ -17,7 +17,7 @@ from tracker.base.notices import Notice
 from tracker.hand.model import HandModel
 from tracker.messages import Estimate
 from tracker.streaming.apart_messages import Answered, Asked, Counted, Reported, Sent
-from tracker.streaming.publisher import Names, Publisher
+from tracker.streaming.publisher import Names, Publisher, Title
 from tracker.streaming.registry import STREAMS, close_all, open_stream
 from tracker.streaming.streams import Streams, delivery
 
@@ -104,7 +104,7 @@ class _Desk:
         else:
             self._send(Answered(asked.number, result))
 
-    def _make(self, key: int, data: Any) -> list[str]:
+    def _make(self, key: int, data: Any) -> list[Title]:
         kind, options, hands = data
         publishers = open_stream(STREAMS.get(kind), options, self._sharing(hands))
         with self._changing:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import socket
 
 from tracker.base.notices import Notice, failure, notice, warning
-from tracker.streaming.publisher import StreamError
+from tracker.streaming.publisher import StreamError, Title
 
 PROBE_WAIT = 0.3  # s for an ICMP message
 
@@ -36,7 +36,7 @@ class DatagramSocket:
         self._last = data
         self._socket.sendto(data, self._address)
 
-    def probe(self, stream: str) -> Notice:
+    def probe(self, stream: Title) -> Notice:
         """Send the last datagram once more and report whether its port is unreachable. Waits
         `PROBE_WAIT`; ``stream`` is the name in the report."""
         data = self._last

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Protocol
 
 from tracker.base.clock import ClockAnchor
-from tracker.base.notices import notice
+from tracker.base.notices import Notice, notice
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.hand.openxr import joint_radii
@@ -26,6 +26,10 @@ STATE_WORDS = {
 }
 
 
+Title = str | Notice
+"""A name, finished or to be translated."""
+
+
 class Publisher(Protocol):
     """One output. ``send`` and ``close`` are called from the output's own thread.
 
@@ -36,7 +40,7 @@ class Publisher(Protocol):
     """
 
     @property
-    def name(self) -> str:
+    def name(self) -> Title:
         """The user's name for it, for messages."""
 
     def send(self, estimate: Estimate) -> None:
@@ -51,7 +55,7 @@ class OtherHand:
     """Sends another hand through the output of one hand: its estimates go to ``send``, and the
     owner of the output closes it."""
 
-    def __init__(self, name: str, send: Callable[[Estimate], None]) -> None:
+    def __init__(self, name: Title, send: Callable[[Estimate], None]) -> None:
         self.name, self._send = name, send
 
     def send(self, estimate: Estimate) -> None:

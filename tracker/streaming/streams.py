@@ -16,9 +16,10 @@ from copy import copy
 from dataclasses import dataclass, field
 
 from tracker.base.channels import Backlog, Closed
+from tracker.base.errors import GlovetrackError
 from tracker.base.notices import Notice, failure, notice, warning
 from tracker.messages import Estimate
-from tracker.streaming.publisher import Publisher
+from tracker.streaming.publisher import Publisher, Title
 from tracker.streaming.senders import SENDERS
 
 _log = logging.getLogger(__name__)
@@ -32,11 +33,11 @@ END_WAIT = 1.0  # s that `close` allows an output to finish sending
 class StreamCounts:
     """Counts of the estimates offered to one output, of one hand or of all hands."""
 
-    name: str
+    name: Title
     sent: int
     dropped: int  # discarded because the output could not keep up
     failed: int
-    error: str  # of the last failure; empty if the last message was sent
+    error: Title  # of the last failure; empty if the last message was sent
     clients: int | None = None  # connected; None if the protocol does not report it
     rates_hz: tuple[float, ...] = ()  # messages per second in the last `RATE_WINDOW`, for each hand
     missed: Mapping[str, int] = field(default_factory=dict)
@@ -127,6 +128,10 @@ def _numbered(number: int, estimate: Estimate) -> Estimate:
     return out
 
 
+def _reason(error: Exception) -> Title:
+    return error.notice if isinstance(error, GlovetrackError) else str(error) or repr(error)
+
+
 class _Output:
     """One publisher and its queue."""
 
@@ -142,7 +147,7 @@ class _Output:
         self._began = time.monotonic()
         self._timing = threading.Lock()
         self._sent = self._failed = 0
-        self._error = ""
+        self._error: Title = ""
         self.ended = threading.Event()
 
     def counts(self) -> StreamCounts:
@@ -189,17 +194,16 @@ class _Output:
             self._failed += 1
             if not self._error:  # once, until it works again
                 _log.warning("The stream %s failed", self._publisher.name, exc_info=True)
-            self._tell(str(error) or type(error).__name__)
+            self._tell(_reason(error))
         else:
             self._sent += 1
             self._rate(time.monotonic(), sent=1)
             self._tell("")
 
-    def _tell(self, error: str) -> None:
+    def _tell(self, error: Title) -> None:
         """Reports the start and the end of a failure, once each."""
         before, self._error = self._error, error
         if error and not before:
-            why = error.rstrip(".")
-            self._report(warning("stream.failing", stream=self._publisher.name, why=why))
+            self._report(warning("stream.failing", stream=self._publisher.name, why=error))
         elif before and not error:
             self._report(notice("stream.works_again", stream=self._publisher.name))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tracker.base.notices import Notice
+from tracker.base.notices import Notice, notice
 from tracker.messages import Estimate
 from tracker.streaming.datagram import DatagramSocket
 from tracker.streaming.payload import LATEST, check_schema, to_json
@@ -23,7 +23,7 @@ class UdpPublisher:
     ) -> None:
         check_schema(schema)
         self._names, self._gestures, self._schema = names, names.recogniser(), schema
-        self.name = f"UDP to {host}:{port}"
+        self.name = notice("stream.to", stream="UDP", host=host, port=port)
         self._socket = DatagramSocket("UDP", host, port)
 
     def send(self, estimate: Estimate) -> None:

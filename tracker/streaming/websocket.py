@@ -45,7 +45,7 @@ class WebSocketPublisher:
             "WebSocket", self._feed, host, port, origins=[None, LOCAL_PAGE], max_size=MAX_SAID
         )
         self.port = self._server.port
-        self.name = f"WebSocket at {host}:{self.port}"
+        self.name = notice("stream.at", stream="WebSocket", host=host, port=self.port)
 
     @property
     def clients(self) -> int:

@@ -239,8 +239,10 @@ def test_a_live_record_is_replayed_and_nothing_is_overwritten(
     (publisher,) = open_streams(settings, names)["isaac"]
     with raises(StreamError, "file.not_created"):
         open_streams(settings, names)
+    assert publisher.probe().code == "stream.test_nothing"
     for e in recorded.estimates:
         publisher.send(e)
+    assert publisher.probe().code == "isaac.test_written"
     publisher.close()
     replay = replayed(path, len(recorded.estimates))
     for found, e in zip(replay, recorded.estimates, strict=True):

@@ -36,7 +36,7 @@ class Listened:
     """What a source sent in ``seconds``: trackers by name with their poses, packets that cannot be
     read, and whether there is a connection; None where the protocol has none."""
 
-    address: str
+    address: str | Notice
     seconds: float
     trackers: Mapping[str, ReceivedPoses]
     unreadable: int

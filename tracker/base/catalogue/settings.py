@@ -57,7 +57,10 @@ TEXTS = {
         "{stream}: {count} messages were sent. The protocol does not report whether a program "
         "received them."
     ),
-    "stream.failing": "The stream {stream} fails: {why}.",
+    "stream.to": "{stream} to {host}:{port}",
+    "stream.at": "{stream} at {host}:{port}",
+    "stream.outlet": "{stream} outlet {name}",
+    "stream.failing": "The stream {stream} fails. {why}",
     "stream.works_again": "The stream {stream} works again.",
     "remote.not_started": "Remote control by {kind} cannot start at {host}:{port}: {why}.",
     "remote.closing": "The window is closing.",

@@ -63,7 +63,7 @@ class DatagramDoor:
             raise StreamError(
                 notice("remote.not_started", kind=kind, host=host, port=port, why=error)
             ) from error
-        self.name = f"{kind} at {host}:{self.port}"
+        self.name = notice("stream.at", stream=kind, host=host, port=self.port)
 
     def counts(self) -> DoorCounts:
         return self._reception.counts(self.name, None)
@@ -134,7 +134,7 @@ class WebSocketDoor:
             max_size=MOST_BYTES,
         )
         self.port = self._server.port
-        self.name = f"WebSocket at {host}:{self.port}"
+        self.name = notice("stream.at", stream="WebSocket", host=host, port=self.port)
 
     def counts(self) -> DoorCounts:
         return self._reception.counts(self.name, self._server.connected)

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 from tracker.base.clock import monotonic
 from tracker.base.notices import failure
+from tracker.streaming.publisher import Title
 from tracker.streaming.remote.request import Reply, Request, RequestError
 
 PER_PEER_HZ, ALL_HZ = 100.0, 300.0  # five motors at 20 times per second are the useful maximum
@@ -47,7 +48,7 @@ class Allowance:
 class DoorCounts:
     """Counts of received messages; ``peers``: senders, the latest last, with s since then."""
 
-    name: str
+    name: Title
     asked: int
     refused: int  # not parsed, or over the limit
     peers: tuple[tuple[str, float], ...]
@@ -103,7 +104,7 @@ class Reception:
         out.set_result(reply)
         return out
 
-    def counts(self, name: str, clients: int | None) -> DoorCounts:
+    def counts(self, name: Title, clients: int | None) -> DoorCounts:
         """From any thread."""
         now = self._clock()
         peers = tuple((peer, now - t) for peer, (_, t) in list(self._peers.items()))
