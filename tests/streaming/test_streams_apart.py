@@ -7,14 +7,17 @@ import os
 import signal
 import socket
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import fields, replace
 
+import numpy as np
 import pytest
 
 from tests.notices import raises
+from tests.streaming.moving_hand import turning
 from tracker.base.clock import ClockAnchor
 from tracker.base.notices import Notice
 from tracker.streaming.apart import ApartFeed, StreamsProcess
+from tracker.streaming.apart_estimate import packed, unpacked
 from tracker.streaming.connection import StreamError
 from tracker.streaming.payload import LATEST, to_json
 from tracker.streaming.publisher import Names
@@ -71,6 +74,16 @@ def test_messages_are_those_of_the_window_s_own_process(
     with pytest.raises(TimeoutError):
         receiver.recv(65536)
     assert not reports
+
+
+def test_estimates_are_read_bit_for_bit(make_estimate, names: Names) -> None:
+    for e in (make_estimate(lost=("wrist",)), turning(make_estimate(), names)):
+        hand, read = unpacked(packed(1, e))
+        assert (hand, read.t, read.seq, read.tracking) == (1, e.t, e.seq, e.tracking)
+        pairs = [(read, e)] if e.motion is None else [(read, e), (read.motion, e.motion)]
+        for found, wanted in pairs:
+            for name in (f.name for f in fields(wanted) if f.name != "motion"):
+                np.testing.assert_array_equal(getattr(found, name), getattr(wanted, name))
 
 
 def test_each_hand_has_its_own_estimates(

@@ -10,6 +10,7 @@ from __future__ import annotations
 import contextlib
 import itertools
 import logging
+import pickle
 import threading
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future
@@ -20,7 +21,8 @@ from tracker.base.child import start_child
 from tracker.base.notices import Notice, failure
 from tracker.messages import Estimate
 from tracker.streaming.apart_child import serve
-from tracker.streaming.apart_messages import Answered, Asked, Counted, Reported, Sent
+from tracker.streaming.apart_estimate import packed
+from tracker.streaming.apart_messages import Answered, Asked, Counted, Reported
 from tracker.streaming.connection import StreamError
 from tracker.streaming.publisher import Names, Title
 from tracker.streaming.streams import StreamCounts
@@ -62,7 +64,7 @@ class StreamsProcess:
 
     def send(self, hand: int, estimate: Estimate) -> None:
         """Passes on an estimate; may wait until the process accepts it. Raises StreamError."""
-        self._send(Sent(hand, estimate))
+        self._write(packed(hand, estimate))
 
     def ask(self, do: str, key: int, data: Any = None, wait: float = ANSWER_WAIT) -> Any:
         """Sends a request and returns the answer. Raises StreamError."""
@@ -105,11 +107,14 @@ class StreamsProcess:
         self._thread.join()
 
     def _send(self, item: object) -> None:
+        self._write(pickle.dumps(item))
+
+    def _write(self, data: bytes) -> None:
         with self._sending:
             if self.ended:
                 raise _has_ended()
             try:
-                self._pipe.send(item)
+                self._pipe.send_bytes(data)
             except (OSError, ValueError) as error:
                 raise _has_ended() from error
 

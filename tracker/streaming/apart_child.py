@@ -16,7 +16,8 @@ from tracker.base.errors import notice_of
 from tracker.base.notices import Notice
 from tracker.hand.model import HandModel
 from tracker.messages import Estimate
-from tracker.streaming.apart_messages import Answered, Asked, Counted, Reported, Sent
+from tracker.streaming.apart_estimate import MARK, unpacked
+from tracker.streaming.apart_messages import Answered, Asked, Counted, Reported
 from tracker.streaming.publisher import Names, Publisher, Title
 from tracker.streaming.registry import STREAMS, close_all, open_stream
 from tracker.streaming.streams import Streams, delivery
@@ -31,20 +32,31 @@ def _definition(hand: HandModel | None) -> list[Any]:
     return [getattr(hand, f.name) for f in fields(HandModel)] if hand is not None else []
 
 
+def _give_way() -> None:
+    """On a loaded computer, tracking has priority: this process gets a smaller share of it, and
+    does not interrupt another one when an estimate arrives (SCHED_BATCH; with SCHED_IDLE, two busy
+    programs would stop all streams on two cores)."""
+    if hasattr(os, "nice"):
+        os.nice(NICE)
+    if hasattr(os, "SCHED_BATCH"):
+        with contextlib.suppress(OSError):  # not permitted in some containers
+            os.sched_setscheduler(0, os.SCHED_BATCH, os.sched_param(0))
+
+
 def serve(pipe: Connection) -> None:
     """Runs until the other end requests the end or disconnects."""
-    if hasattr(os, "nice"):  # on a loaded computer, tracking has priority over its streams
-        os.nice(NICE)
+    _give_way()
     desk = _Desk(pipe)
     try:
         while True:
-            item = pipe.recv()
+            data = pipe.recv_bytes()
+            if data.startswith(MARK):
+                desk.feed(*unpacked(data))
+                continue
+            item = pickle.loads(data)
             if item is None:
                 break
-            if isinstance(item, Sent):
-                desk.feed(item.hand, item.estimate)
-            else:
-                desk.ask(item)
+            desk.ask(item)
     except (EOFError, OSError):
         pass
     desk.close()

@@ -6,16 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from tracker.base.notices import Notice
-from tracker.messages import Estimate
 from tracker.streaming.streams import StreamCounts
-
-
-@dataclass(frozen=True)
-class Sent:
-    """An estimate of the hand ``hand``, in the order of the session's hands."""
-
-    hand: int
-    estimate: Estimate
 
 
 @dataclass(frozen=True)
