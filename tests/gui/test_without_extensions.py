@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -25,56 +26,69 @@ PARTS = {
     "touch": {"command touch_test"},
 }  # fmt: skip
 """What the window loses with each folder; nothing with the others."""
-HIDE = """
-import sys
-
-class Hidden:
-    def find_spec(self, name, path=None, target=None):
-        if name == {name!r} or name.startswith({name!r} + "."):
-            raise ModuleNotFoundError(f"No module named {{name!r}}", name=name)
-
-sys.meta_path.insert(0, Hidden())
-"""
-WINDOW = """
+STARTS = """
 import json
+import os
+import sys
 from pathlib import Path
 from PySide6.QtWidgets import QApplication
-app = QApplication(["glovetrack"])
 from app.storage.settings import SettingsStore
 from app.window.main_window import MainWindow
-window = MainWindow(SettingsStore(Path(sys.argv[1]) / "window.json"))
-window.show()
-window.layouts.show_first()
-app.processEvents()
-parts = [f"panel {name}" for name in window.panels]
-parts += [f"command {key}" for key in window.commands.actions]
-parts += [f"recordings {key}" for key in window.library.page.actions_of]
-window.close()
-print(json.dumps(parts))
+
+class Hidden:
+    def __init__(self, name):
+        self.name = name
+
+    def find_spec(self, name, path=None, target=None):
+        if name == self.name or name.startswith(self.name + "."):
+            raise ModuleNotFoundError(f"No module named {name!r}", name=name)
+
+def parts(folder):
+    app = QApplication(["glovetrack"])
+    window = MainWindow(SettingsStore(folder / "window.json"))
+    window.show()
+    window.layouts.show_first()
+    app.processEvents()
+    parts = [f"panel {name}" for name in window.panels]
+    parts += [f"command {key}" for key in window.commands.actions]
+    parts += [f"recordings {key}" for key in window.library.page.actions_of]
+    window.close()
+    return parts
+
+assert not [name for name in sys.modules if name.startswith("extensions.")]
+for extension in sys.argv[2:]:
+    folder = Path(sys.argv[1]) / extension
+    folder.mkdir()
+    child = os.fork()
+    if child == 0:
+        sys.meta_path.insert(0, Hidden(f"extensions.{extension}"))
+        (folder / "parts.json").write_text(json.dumps(parts(folder)))
+        sys.stdout.flush()
+        os._exit(0)
+    assert os.waitpid(child, 0)[1] == 0, extension
 """
 
 
-def parts_without(extension: str, folder: Path) -> set[str]:
-    """Panels and commands of a window whose process cannot import the extension."""
-    code = HIDE.format(name=f"extensions.{extension}") + WINDOW
+@pytest.fixture(scope="module")
+def parts(tmp_path_factory) -> Callable[[str], set[str]]:
+    """``parts(extension)``: panels and commands of a window whose process cannot import it.
+
+    One process imports Qt and the core, which is half of the work and imports no extension, and
+    forks one for each window."""
+    folder = tmp_path_factory.mktemp("starts")
     done = subprocess.run(
-        [sys.executable, "-c", code, str(folder)],
+        [sys.executable, "-c", STARTS, str(folder), "none", *EXTENSIONS],
         cwd=ROOT,
         env=os.environ | {"QT_QPA_PLATFORM": "offscreen", "HOME": str(folder)},
         capture_output=True,
         text=True,
     )
     assert done.returncode == 0, done.stderr
-    return {*json.loads(done.stdout.splitlines()[-1])}
-
-
-@pytest.fixture(scope="module")
-def whole(tmp_path_factory) -> set[str]:
-    return parts_without("none", tmp_path_factory.mktemp("whole"))
+    return lambda name: {*json.loads((folder / name / "parts.json").read_text())}
 
 
 @pytest.mark.parametrize("extension", EXTENSIONS)
-def test_the_window_starts_without(extension, whole, tmp_path):
+def test_the_window_starts_without(extension, parts):
     lost = PARTS.get(extension, set())
     of_panels = {f"command dock_{part.removeprefix('panel ')}" for part in lost if "panel" in part}
-    assert whole - parts_without(extension, tmp_path) == lost | of_panels
+    assert parts("none") - parts(extension) == lost | of_panels
