@@ -116,6 +116,17 @@ def job_of(jobs: Mapping[str, Job], name: str) -> Job:
 
 def arrange(window: QMainWindow, docks: Docks, job: Job) -> None:
     """Put all docks where ``job`` has them, those that it shows in front."""
+    layout = window.layout()
+    assert layout is not None
+    layout.setEnabled(False)  # once for all docks: each would lay out those before it again
+    try:
+        _arrange(window, docks, job)
+    finally:
+        layout.setEnabled(True)
+        layout.activate()
+
+
+def _arrange(window: QMainWindow, docks: Docks, job: Job) -> None:
     for dock in docks.values():
         window.removeDockWidget(dock)
         dock.setFloating(False)

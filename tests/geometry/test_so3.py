@@ -34,6 +34,16 @@ def test_quaternions_equal_scipy(rotation: Rotation) -> None:
     assert np.allclose(so3.matrix_from_quat(q), rotation.as_matrix(), atol=1e-12)
 
 
+def test_many_rotations_are_converted_like_each_alone() -> None:
+    """To the bit: recordings are written one hand at a time."""
+    turns = so3.exp(np.pi * np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1], [0.6, 0.8, 0.0]]))
+    many = np.concatenate([Rotation.random(500, rng=4).as_matrix(), turns, np.eye(3)[None]])
+    quaternions = so3.quat_from_matrix(many)
+    assert np.array_equal(quaternions, [so3.quat_from_matrix(R) for R in many])
+    matrices = [so3.matrix_from_quat(q) for q in quaternions]
+    assert np.array_equal(so3.matrix_from_quat(quaternions), matrices)
+
+
 def test_zyx_beyond_a_right_angle_of_flexion() -> None:
     for abduction, flexion, twist in [(0.2, 1.9, -0.1), (-0.3, 0.5, 0.2), (0.1, -0.4, 0.0)]:
         R = so3.rz(abduction) @ so3.ry(flexion) @ so3.rx(twist)

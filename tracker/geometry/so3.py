@@ -5,6 +5,8 @@ import numpy as np
 from tracker.base.arrays import Array
 
 _SMALL = 1e-8
+_FEW = 8
+"""Rotations up to which one at a time is faster."""
 
 
 def skew(v: Array) -> Array:
@@ -50,11 +52,32 @@ def quat_from_matrix(R: Array) -> Array:
     """Unit quaternion xyzw with w ≥ 0 of a rotation matrix; picks the best-conditioned formula."""
     R = np.asarray(R, float)
     m = R.reshape(-1, 3, 3)
-    q = np.empty((len(m), 4))
-    for i, M in enumerate(m):
-        q[i] = _quat_one(M)
+    q = _quats(m) if len(m) > _FEW else np.array([_quat_one(M) for M in m]).reshape(-1, 4)
     q *= np.where(q[:, 3:] < 0, -1.0, 1.0)
     return q.reshape(*R.shape[:-2], 4)
+
+
+def _quats(m: Array) -> Array:
+    """`_quat_one` of each of (N, 3, 3), to the bit: (N, 4)."""
+    trace = m[:, 0, 0] + m[:, 1, 1] + m[:, 2, 2]
+    d = np.stack([m[:, 0, 0], m[:, 1, 1], m[:, 2, 2], trace], axis=1)
+    largest = d.argmax(axis=1)
+    q = np.empty((len(m), 4))
+    for i in range(3):
+        j, n = (i + 1) % 3, (i + 2) % 3
+        rows = np.flatnonzero(largest == i)
+        M = m[rows]
+        q[rows, i] = 1 - d[rows, 3] + 2 * M[:, i, i]
+        q[rows, j] = M[:, j, i] + M[:, i, j]
+        q[rows, n] = M[:, n, i] + M[:, i, n]
+        q[rows, 3] = M[:, n, j] - M[:, j, n]
+    rows = np.flatnonzero(largest == 3)
+    M = m[rows]
+    q[rows, 0] = M[:, 2, 1] - M[:, 1, 2]
+    q[rows, 1] = M[:, 0, 2] - M[:, 2, 0]
+    q[rows, 2] = M[:, 1, 0] - M[:, 0, 1]
+    q[rows, 3] = 1 + d[rows, 3]
+    return q / np.sqrt(q[:, None, :] @ q[:, :, None])[:, 0]  # norm() of one has the same sums
 
 
 def _quat_one(M: Array) -> Array:

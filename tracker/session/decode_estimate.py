@@ -95,9 +95,11 @@ class EstimateDecoder:
     def _segment_poses(self, stamp: int) -> tuple[Array, Array]:
         n = len(self._rows)
         R, p = np.full((n, 3, 3), np.nan), np.full((n, 3), np.nan)
-        for t in self._segments.get(stamp, ()):
-            row = self._rows[t.child]
-            R[row], p[row] = so3.matrix_from_quat(t.rotation), t.translation
+        found = self._segments.get(stamp, [])
+        if found:
+            rows = [self._rows[t.child] for t in found]
+            R[rows] = so3.matrix_from_quat(np.array([t.rotation for t in found]))
+            p[rows] = [t.translation for t in found]
         return R, p
 
 
