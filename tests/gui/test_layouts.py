@@ -1,5 +1,8 @@
 """Layouts: one for each task, named ones, and proportions for any screen."""
 
+import shutil
+from pathlib import Path
+
 import pytest
 from PySide6.QtCore import QSize
 from PySide6.QtWidgets import QToolButton
@@ -189,13 +192,19 @@ def test_the_window_is_never_larger_than_its_screen(window):
     assert fresh.width() <= room.width() and fresh.height() <= room.height()
 
 
-@pytest.fixture
-def session(tmp_path):
-    """A recording of two seconds."""
-    path = tmp_path / "sessions" / "P01_pinch.mcap"
-    path.parent.mkdir()
+@pytest.fixture(scope="module")
+def simulated(tmp_path_factory):
+    path = tmp_path_factory.mktemp("simulated") / "P01_pinch.mcap"
     simulate(path, SimulateOptions(seed=3, duration=2.0, fps=30, images=False))
     return path
+
+
+@pytest.fixture
+def session(simulated, tmp_path):
+    """A recording of two seconds."""
+    folder = tmp_path / "sessions"
+    folder.mkdir()
+    return Path(shutil.copy(simulated, folder))
 
 
 def open_replay_of(window, session, qtbot) -> None:

@@ -21,10 +21,11 @@ LATE = 3_000_000_000  # ns
 DESCRIBED = ("camera_info", "/tf_static", "extrinsics", "robot_description")
 
 
-@pytest.fixture
-def late(tmp_path: Path) -> Path:
+@pytest.fixture(scope="module")
+def late(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The descriptions come at 3 s of 4 s."""
-    simulated, whole, out = (tmp_path / f"{n}.mcap" for n in ("simulated", "whole", "late"))
+    folder = tmp_path_factory.mktemp("late")
+    simulated, whole, out = (folder / f"{n}.mcap" for n in ("simulated", "whole", "late"))
     simulate(simulated, SimulateOptions(seed=5, duration=4.0, fps=20, images=False))
     track(simulated, whole, TrackOptions("chain", with_sensors=True))
     with SessionReader(whole) as reader:

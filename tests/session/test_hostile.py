@@ -272,10 +272,12 @@ def test_a_damaged_attachment_does_not_affect_others(session: Path, session_info
 
 
 @pytest.mark.parametrize(
-    ("summed", "ms"), [(True, 200), (False, 1500)], ids=["with a checksum", "without"]
+    ("summed", "ms", "bits"),
+    [(True, 200, 100), (False, 1500, 50)],
+    ids=["with a checksum", "without"],
 )
 def test_verify_detects_every_flipped_bit(
-    tmp_path: Path, record: Record, maker, summed: bool, ms: int
+    tmp_path: Path, record: Record, maker, summed: bool, ms: int, bits: int
 ) -> None:
     """For the whole file for one with a checksum of its data; of records and indexes for others."""
     session = record(tmp_path / "a.mcap", list(maker.stream(ms, images=False)))
@@ -285,7 +287,7 @@ def test_verify_detects_every_flipped_bit(
         data = data[: start - 4] + bytes(4) + data[start:]
     assert is_ok(verify(written(session, data)))
     missed = []
-    for at in rng.integers(0, len(data), 150):
+    for at in rng.integers(0, len(data), bits):
         spoilt = bytearray(data)
         spoilt[at] ^= 1 << int(rng.integers(8))
         try:
