@@ -130,10 +130,15 @@ class SeenImage(NamedTuple):
 
 
 class Recognised(NamedTuple):
-    """The predicted markers, and match (2, M) the row of each marker's blob, -1 for none."""
+    """The predicted markers, and match (2, M) the row of each marker's blob, -1 for none.
+
+    ``shift`` (3,) m in G: the prediction is that of the hand moved by it; the covariance and what
+    the rows correct are those of the hand before.
+    """
 
     prediction: Prediction
     match: IntArray
+    shift: Array | None = None
 
     @property
     def tally(self) -> Tally:
@@ -321,7 +326,10 @@ class Recognition:
         if self._params.coupling == "loose":
             return self._loose(state, found.prediction, image.blobs, found.match, image.pose)
         stamp = self._stamp(state, image)
-        return self._pixels.rows(found.prediction, image.blobs, found.match, stamp)
+        H, HP, r, R = self._pixels.rows(found.prediction, image.blobs, found.match, stamp)
+        if found.shift is not None:
+            r = r + H[:, :3] @ found.shift
+        return H, HP, r, R
 
     def finish(
         self, state: ChainState, image: SeenImage, found: Recognised, tracking: Tracking

@@ -70,7 +70,7 @@ class SecondLook:
         if image.is_mono:
             return self._by_one_camera(image, found, seen)
         if seen.is_credible:
-            return found, seen
+            return self._jointly(image, found, seen)
         shift = self._starter.shift(self._filter.state, image.unturned, image.pose)
         if shift is None:
             return found, seen
@@ -81,6 +81,29 @@ class SecondLook:
         self._filter.move(moved)
         expected = self._recognition.look(moved, image)
         return Recognised(expected.prediction, there.match), fitted
+
+    def _jointly(
+        self, image: SeenImage, found: Recognised, seen: Evidence
+    ) -> tuple[Recognised, Evidence]:
+        """Where gates are wide, matches the markers again after all of them have voted for a shift.
+
+        After a gap each marker alone finds a blob of its hue, often that of a neighbour. The rows
+        are linearised at the shifted hand: pixels are not linear over centimetres.
+        """
+        if not self._recognition.is_unsure(image, found):
+            return found, seen
+        state = self._filter.state
+        shift = self._starter.shift(state, image.unturned, image.pose)
+        if shift is None:
+            return found, seen
+        fit = self._fit(image, self._filter.shifted_by(shift, SHIFT_SD))
+        fitted = self._recognition.evidence(image, fit.found)
+        if not fitted.is_start:
+            return found, seen
+        moved = state.copy()
+        moved.p = fit.state.p
+        there = self._recognition.look(moved, image).prediction
+        return Recognised(there, fit.found.match, moved.p - state.p), fitted
 
     def _by_one_camera(
         self, image: SeenImage, found: Recognised, seen: Evidence
@@ -95,6 +118,11 @@ class SecondLook:
             return found, seen
         there, fitted = self._fitted(image, self._filter.state)
         return Recognised(found.prediction, there.match), fitted
+
+    def fitted_to(self, moved: ChainState, image: SeenImage) -> Recognised:
+        """The blobs matched with a hand that a search has found, once it is corrected by them."""
+        match = self._fit(image, moved).found.match
+        return Recognised(self._recognition.look(moved, image).prediction, match)
 
     def fits_after_gap(self, image: SeenImage, found: Recognised) -> bool:
         """Whether a hand corrected by the blobs fits them: after some time out of view gates are

@@ -130,12 +130,15 @@ class ChainTracker:
         image = self._recognition.image(frame)
         found = self._recognition.follow(self.state, image)
         found, seen = self._second.match_in_crowd(image, found)
+        found = self._if_back(image, found)
         if self._judge.should_search(frame.t, found.tally) and frame.search >= Search.AGAIN:
-            found = self._search_again(image, found)
+            moved = self._search_again(image, found)
+            if moved is not found:
+                found = self._if_back(image, moved)
             seen = self._recognition.evidence(image, found)
-        if not seen.is_credible or not self._is_back(image, found):
+        if not seen.is_credible:
             found = found.nothing()
-        elif not image.is_mono and self._judge.should_search_digits(frame.t):
+        elif self._shows_digits(image, found) and self._judge.should_search_digits(frame.t):
             found = self._second.with_digits(image, found)
         # 3. The matches correct the state, together with anatomy.
         self._correct(image, found)
@@ -159,13 +162,18 @@ class ChainTracker:
         self.wearer.calibration.refine(self.state, still, found, self._buffer, self.wearer.guided)
         return result
 
-    def _is_back(self, image: SeenImage, found: Recognised) -> bool:
-        """Whether a hand that was out of view is the one seen now; true where it was not out of
-        view."""
-        if not self._judge.is_coasting(image.frame.t):
-            return True
+    def _if_back(self, image: SeenImage, found: Recognised) -> Recognised:
+        """The matches, or nothing if the hand was out of view, or is in an unsure position for
+        another reason, and does not fit the blobs."""
+        sure = image.is_mono or not self._recognition.is_unsure(image, found)
+        if sure and not self._judge.is_coasting(image.frame.t):
+            return found
         there = is_believable(found.tally, self._params.match.min_markers)
-        return there and self._second.fits_after_gap(image, found)
+        return found if there and self._second.fits_after_gap(image, found) else found.nothing()
+
+    def _shows_digits(self, image: SeenImage, found: Recognised) -> bool:
+        """Whether digits can be searched for: in depth, by a hand close to the filter's state."""
+        return not image.is_mono and found.shift is None
 
     def _correct(self, image: SeenImage, found: Recognised) -> None:
         self.filter.correct(self._recognition.rows(self.state, image, found))
@@ -185,7 +193,7 @@ class ChainTracker:
         if pose is None:
             return found
         moved = self.filter.moved_to(pose)
-        there = self._recognition.look(moved, image)
+        there = self._second.fitted_to(moved, image)
         if there.tally.matched <= 1.2 * count:
             return found
         if not self._recognition.evidence(image, there).is_start:
@@ -194,7 +202,7 @@ class ChainTracker:
         if v is not None:
             self.filter.moving(moved, v)
             # rows of a rolling shutter depend on the velocity and its covariance
-            there = self._recognition.look(moved, image)
+            there = self._second.fitted_to(moved, image)
         self.filter.move(moved)
         return there
 

@@ -129,6 +129,7 @@ class TrackingJudge:
         now = self.saved
         since, way = t - now.last_found, p - now.last_place
         now.last_found, now.last_place = t, p.copy()
+        now.supported_since = np.inf  # what supported the pose before supported another one
         return way / since if 0.0 < since <= PLACES_APART else None
 
     # ---- when to search
