@@ -140,6 +140,7 @@ ELSEWHERE |= {("line-time", "--set"), ("line-time", "--json")}  # a swung hand
 ELSEWHERE |= {
     ("evaluate shutter", "--json"),
     ("evaluate effects", "--json"),
+    ("evaluate gaps", "--json"),
     ("evaluate touch", "--json"),
 }  # minutes
 ELSEWHERE |= {("touch-test", "--output"), ("touch-test", "--json"), ("room align", "--out")}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from extensions.evaluation.effects.command import add_effects, evaluate_effects
 from extensions.evaluation.faults.command import add_faults, evaluate_faults
+from extensions.evaluation.gaps.command import add_gaps, evaluate_gaps
 from extensions.evaluation.gestures.command import add_gestures, evaluate_gestures
 from extensions.evaluation.hands.command import add_hands, evaluate_hands
 from extensions.evaluation.inertial.commands import add_inertial, evaluate_inertial_command
@@ -55,6 +56,12 @@ EFFECTS = Command(
     "track hands with the errors of real cameras and IMUs, each alone and all at once",
     evaluate_effects,
     add=add_effects,
+)
+GAPS = Command(
+    "evaluate gaps",
+    "track hands that leave the view for a while and return",
+    evaluate_gaps,
+    add=add_gaps,
 )
 ROBOT = Command(
     "evaluate robot",

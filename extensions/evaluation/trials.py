@@ -14,10 +14,12 @@ Figures = TypeVar("Figures")
 Trial = Callable[[Case, int, Callable[[float], None]], Figures]
 
 
-def add_trials(parser: argparse.ArgumentParser) -> None:
-    """Arguments: how people are tracked, how many at once, and the file for the figures."""
+def add_trials(parser: argparse.ArgumentParser, images: bool = True) -> None:
+    """Arguments: how people are tracked, by blobs or also by ``images``, how many at once, and the
+    file for the figures."""
     parser.add_argument("--engine", default="chain", help="chain or vist")
-    parser.add_argument("--images", action="store_true", help="render images and detect blobs")
+    if images:
+        parser.add_argument("--images", action="store_true", help="render images and detect blobs")
     parser.add_argument(
         "--fps", type=float, default=60.0, help="frame rate of the camera, Hz (default: 60)"
     )

@@ -13736,6 +13736,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>--participants must be at least 1, and --gaps between 0.1 and 60.</source>
+      <translation>--participants muss mindestens 1 sein, und --gaps muss zwischen 0,1 und 60 liegen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>There is no channel {channel}.</source>
       <translation>Es gibt keinen Kanal {channel}.</translation>
     </message>
@@ -14128,11 +14133,6 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>must be a list of its three columns x, y and z</source>
       <translation>muss eine Liste der drei Spalten x, y und z sein</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>Keyed poses to {host}:{port}</source>
-      <translation>Benannte Posen an {host}:{port}</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />

@@ -1,0 +1,1 @@
+"""Hands that leave the view for a while and return."""
