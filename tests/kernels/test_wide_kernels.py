@@ -19,6 +19,7 @@ from tracker.vision import finger_cloth, search
 from tracker.vision.cloth import ClothMap
 from tracker.vision.colours import ColourProfile, HueRange
 from tracker.vision.detector import Detector
+from tracker.vision.rig import ideal_rig
 
 dispatch = pytest.importorskip(
     "tracker.kernels._dispatch", reason="the library was not built: no C++ compiler here"
@@ -98,10 +99,23 @@ def of_cloth() -> dict[str, tuple[Any, ...]]:
     capsules = np.column_stack([rng.uniform(0, 128, (9, 4)), rng.uniform(3, 9, 9)])
     classes = finger_cloth.cloth_window(cloth, nodes)
     explained = finger_cloth.covered(capsules, finger_cloth.SAMPLES)
+    evidence = finger_cloth.finger_evidence(classes, explained, 5.0, 2.5)
+    finger = finger_cloth.Finger(
+        np.array([0.0, 0.0, 0.3]), np.eye(3), np.eye(3), np.full(3, 0.03), np.full(3, 0.008), 0.67
+    )
+    rig, postures = ideal_rig().intrinsics, rng.normal(0, (0.003, 0.003, 0.5, 0.2, 0.5), (60, 5))
+    window = np.array([[0.0, rig.cx - 60.0, rig.cy - 100.0, 2.0]])
     return {
         "tracker.vision.finger_cloth.cloth_window": (cloth, nodes),
         "tracker.vision.finger_cloth.covered": (capsules, finger_cloth.SAMPLES),
         "tracker.vision.finger_cloth.finger_evidence": (classes, explained, 5.0, 2.5),
+        "tracker.vision.finger_cloth.finger_likelihoods": (
+            postures,
+            finger,
+            rig,
+            window,
+            evidence[None],
+        ),
     }
 
 

@@ -11,9 +11,18 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tracker.base.records import record
-from tracker.fusion.chain.finger_grid import GRID, FingerFit, aged, fit, prior
+from tracker.fusion.chain.finger_grid import (
+    GRID,
+    FingerFit,
+    aged,
+    fit,
+    following,
+    prior,
+    variance_about,
+)
 from tracker.fusion.chain.finger_view import FingerView, KnownParts, finger_fit, finger_views
 from tracker.fusion.chain.kinematics import segment_positions
 from tracker.fusion.chain.layout import ChainLayout
@@ -34,6 +43,7 @@ BODY_SD = 0.007  # m per axis, of what the grid does not contain: lengths, the h
 HIDDEN_SD = 0.022  # m per axis, added where the cloth does not show the finger
 LEAST_RIM = 6.0  # the evidence is at most this many times what the outline contributes
 HIDDEN_BELOW, SEEN_FROM = 8.0, 12.0  # ln of the likelihood ratio of the finger to none
+REFUTED = -1.5  # ln of the likelihood ratio of following the neighbour to not following it
 
 
 @record(
@@ -45,16 +55,17 @@ HIDDEN_BELOW, SEEN_FROM = 8.0, 12.0  # ln of the likelihood ratio of the finger 
         "angle_sd": "d 3",
         "joint_variance": "d 4",
         "evidence": "d",
+        "follows": "d",
         "origin": "d 3",
     },
 )
 @dataclass(eq=False)
 class ClothFingersSavedState:
-    """For d fingers: the posterior (d, G) of the cells of the grid; the mean posture (d, 5), the
-    most probable one (d, 5), and the sd (d, 3) rad of flexion, abduction and bend; the variance
-    (d, 4) m² per axis of its joints and its tip; the evidence (d,), ln of a likelihood ratio; the
-    origin (d, 3) of the first segment in its parent's nominal B, m; the time of the last evaluated
-    image, s, and whether it is shown."""
+    """For d fingers: the posterior (d, G) of the cells of the grid; the displayed posture (d, 5),
+    the most probable one (d, 5), and the sd (d, 3) rad of flexion, abduction and bend; the variance
+    (d, 4) m² per axis of its joints and its tip; the evidence and follows (d,), ln of likelihood
+    ratios (`FingerFit`); the origin (d, 3) of the first segment in its parent's nominal B, m; the
+    time of the last evaluated image, s, and whether it is shown."""
 
     posterior: Array = field(default_factory=lambda: np.zeros((0, len(GRID))))
     posture: Array = field(default_factory=lambda: np.zeros((0, 5)))
@@ -62,9 +73,16 @@ class ClothFingersSavedState:
     angle_sd: Array = field(default_factory=lambda: np.zeros((0, 3)))
     joint_variance: Array = field(default_factory=lambda: np.zeros((0, 4)))
     evidence: Array = field(default_factory=lambda: np.zeros(0))
+    follows: Array = field(default_factory=lambda: np.zeros(0))
     origin: Array = field(default_factory=lambda: np.zeros((0, 3)))
     t: float = -np.inf
     is_shown: bool = False
+
+    @property
+    def is_fitted(self) -> NDArray[np.bool_]:
+        """(d,) whether a finger is displayed as fitted: the cloth shows it, or not where its
+        neighbour suggests. Others follow their neighbours."""
+        return np.asarray((self.evidence >= HIDDEN_BELOW) | (self.follows < REFUTED))
 
 
 class _Digit(NamedTuple):
@@ -122,11 +140,13 @@ class ClothFingers:
         angles = now.posture[:, [FLEXION, ASIDE, BEND, BEND]] * (1.0, 1.0, 1.0, UNLOADED)
         # eq. 72
         seen = np.clip((now.evidence - HIDDEN_BELOW) / (SEEN_FROM - HIDDEN_BELOW), 0.0, 1.0)
-        variance = now.joint_variance + BODY_SD**2
-        variance = variance + HIDDEN_SD**2 * (1.0 - seen[:, None]) * (np.arange(JOINTS) > 0)
+        variance, fitted = now.joint_variance + BODY_SD**2, now.is_fitted
+        hidden = (fitted * (1.0 - seen))[:, None] * (np.arange(JOINTS) > 0)
+        variance = variance + HIDDEN_SD**2 * hidden
+        rows = tuple(self._rows)
         self._shown.show_fingers(
             MeasuredFingers(
-                now.t, tuple(self._rows), angles, now.origin, variance, now.angle_sd, seen >= 1.0
+                now.t, rows, angles, now.origin, variance, now.angle_sd, fitted, seen >= 1.0
             )
         )
 
@@ -176,18 +196,24 @@ class ClothFingers:
         known = len(before.posterior) == d and dt < np.inf
         now = ClothFingersSavedState(
             np.zeros((d, len(GRID))), np.zeros((d, 5)), np.zeros((d, 5)), np.zeros((d, 3)),
-            np.zeros((d, 4)), np.zeros(d), np.zeros((d, 3)), t, is_shown=True,
+            np.zeros((d, 4)), np.zeros(d), np.zeros(d), np.zeros((d, 3)), t, is_shown=True,
         )  # fmt: skip
         share = min(dt / INDEPENDENT_AFTER, 1.0)
         for k, digit in enumerate(self.digits):
             later = range(k + 1, d if known else 0)
             others = [(fingers[i], now.best[i]) for i in range(k)]
             others += [(fingers[i], before.best[i]) for i in later]
-            alone = prior(*self._neighbour(digit, hand, now.posture))
+            neighbour = self._neighbour(digit, hand, now.posture)
+            follows = following(*neighbour)
+            alone = prior(follows)
             start = aged(before.posterior[k], alone, dt) if known else alone
             likelihoods = finger_fit(fingers[k], others, self._rig, views)
-            self._put(now, k, fingers[k], fit(start, likelihoods.of, share))
+            self._put(now, k, fingers[k], fit(start, follows, likelihoods.of, share))
             now.evidence[k] = min(now.evidence[k], LEAST_RIM * likelihoods.rim(now.best[k]))
+            if not now.is_fitted[k]:
+                now.posture[k] = _posture(*neighbour)
+                spread = variance_about(now.posterior[k], fingers[k], now.posture[k])
+                now.joint_variance[k] = spread
         root = self._layout.hand.root
         for k, digit in enumerate(self.digits):
             now.origin[k] = self._layout.hand.segments[digit.segments[0]].origin
@@ -199,7 +225,8 @@ class ClothFingers:
         mean = found.weights @ found.postures
         joints, shown = finger_joints(found.postures, finger), finger_joints(mean[None], finger)
         off = found.postures - mean
-        now.posterior[k], now.posture[k], now.evidence[k] = found.posterior, mean, found.evidence
+        now.posterior[k], now.posture[k] = found.posterior, mean
+        now.evidence[k], now.follows[k] = found.evidence, found.follows
         now.best[k] = found.postures[int(np.argmax(found.weights))]
         now.joint_variance[k] = found.weights @ ((joints - shown) ** 2).sum(axis=2) / 3
         now.angle_sd[k] = np.sqrt(found.weights @ off[:, [FLEXION, ASIDE, BEND]] ** 2)
@@ -209,6 +236,13 @@ class ClothFingers:
         if digit.follows >= 0:
             return float(postures[digit.follows, FLEXION]), float(postures[digit.follows, BEND])
         return float(hand.angles[digit.columns[0]]), float(hand.angles[digit.columns[1]])
+
+
+def _posture(flexion: float, bend: float) -> Array:
+    """(5,) with these flexions, rad, of the first and second joint."""
+    posture = np.zeros(5)
+    posture[FLEXION], posture[BEND] = flexion, bend
+    return posture
 
 
 def _digits(layout: ChainLayout) -> tuple[_Digit, ...]:

@@ -13,8 +13,18 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tracker.kernels import kernel
+from tracker.kernels.arrays import IntVector, Vector
 from tracker.messages import Array
-from tracker.vision.finger_cloth import ASIDE, BEND, FLEXION, JOINT_X, JOINT_Y
+from tracker.vision.finger_cloth import (
+    ASIDE,
+    BEND,
+    FLEXION,
+    JOINT_X,
+    JOINT_Y,
+    Finger,
+    finger_joints,
+)
 
 AXES = (
     1e-3 * np.array([-9.0, -3.0, 3.0, 9.0]),
@@ -35,19 +45,22 @@ MOVES = np.deg2rad([12.0, 5.0, 12.0])  # rad in `PERIOD`, flexion, abduction and
 JOINT_STAYS = 0.97  # as `STAYS`, of where the knuckle is
 PERIOD = 0.1  # s
 KNUCKLES = SHAPE[JOINT_X] * SHAPE[JOINT_Y]
-POSTURES = 40  # that are evaluated with the knuckle anywhere
-KEPT, UNLIKELY = 24, 9.0  # cells that are divided, and ln of their least probability, relative
+NOMINAL = GRID[: len(GRID) // KNUCKLES] * (0.0, 0.0, 1.0, 1.0, 1.0)
+POSTURES = 30  # that are evaluated with the knuckle anywhere
+KEPT, UNLIKELY = 16, 9.0  # cells that are divided, and ln of their least probability, relative
 TINY = 1e-12
 
 
 class FingerFit(NamedTuple):
     """posterior (G,) of the cells of `GRID`; postures (n, 5) at the end of the divisions and their
-    weights (n,); evidence, ln of the highest likelihood ratio of a finger to none."""
+    weights (n,); evidence, ln of the highest likelihood ratio of a finger to none; follows, ln of
+    the likelihood ratio of a finger that follows its neighbour to one that does not."""
 
     posterior: Array
     postures: Array
     weights: Array
     evidence: float
+    follows: float
 
 
 def _halves(share: tuple[float, ...]) -> Array:
@@ -56,16 +69,30 @@ def _halves(share: tuple[float, ...]) -> Array:
     return CELL * np.stack(np.meshgrid(*steps, indexing="ij"), axis=-1).reshape(-1, len(share))
 
 
-DIVISIONS = _halves((0.25, 0.0, 0.25, 0.25, 0.25)), _halves((0.0, 0.25, 0.125, 0.125, 0.125))
+DIVISIONS = _halves((0.25, 0.0, 0.25, 0.25, 0.25)), _halves((0.0, 0.25, 0.125, 0.0, 0.125))
 
 
-def prior(flexion: float, bend: float) -> Array:
-    """(G,) for a neighbouring finger with these flexions of its first and second joint, rad."""
+def _alone() -> Array:
+    """(G,) of a finger that does not follow its neighbour."""
     joint = (GRID[:, [JOINT_X, JOINT_Y]] / JOINT_SD) ** 2
-    alone = np.exp(-0.5 * (joint.sum(axis=1) + (GRID[:, ASIDE] / ASIDE_SD) ** 2))
-    off = (GRID[:, FLEXION] - flexion) / FLEXION_SD, (GRID[:, BEND] - bend) / BEND_SD
-    near = alone * np.exp(-0.5 * (off[0] ** 2 + off[1] ** 2))
-    return np.asarray((1 - INDEPENDENT) * near / near.sum() + INDEPENDENT * alone / alone.sum())
+    p: Array = np.exp(-0.5 * (joint.sum(axis=1) + (GRID[:, ASIDE] / ASIDE_SD) ** 2))
+    return p / p.sum()
+
+
+ALONE = _alone()
+
+
+def following(flexion: float, bend: float) -> Array:
+    """(G,) of a finger that follows one with these flexions of its first and second joint, rad."""
+    of_flexion = np.exp(-0.5 * ((AXES[FLEXION] - flexion) / FLEXION_SD) ** 2)
+    of_bend = np.exp(-0.5 * ((AXES[BEND] - bend) / BEND_SD) ** 2)
+    near = (ALONE.reshape(SHAPE) * of_flexion[:, None, None] * of_bend).reshape(-1)
+    return np.asarray(near / near.sum())
+
+
+def prior(follows: Array) -> Array:
+    """(G,) of a finger that ``follows`` (G,) its neighbour, or not."""
+    return np.asarray((1 - INDEPENDENT) * follows + INDEPENDENT * ALONE)
 
 
 def aged(posterior: Array, before: Array, dt: float) -> Array:
@@ -74,9 +101,13 @@ def aged(posterior: Array, before: Array, dt: float) -> Array:
     The knuckle remains where it is; the finger moves, and after a while follows its neighbour.
     """
     periods = dt / PERIOD
-    now, alone = posterior.reshape(SHAPE), before.reshape(SHAPE)
-    for axis, moves in zip((FLEXION, ASIDE, BEND), MOVES, strict=True):
-        now = _spread(now, axis, float(moves * np.sqrt(periods) / CELL[axis]))
+    sd = MOVES * np.sqrt(periods) / CELL[[FLEXION, ASIDE, BEND]]
+    flexions, *others = (
+        _spread(SHAPE[a], float(s)) for a, s in zip((FLEXION, ASIDE, BEND), sd, strict=True)
+    )
+    moved_on = posterior.reshape(-1, SHAPE[ASIDE] * SHAPE[BEND]) @ np.kron(*others).T
+    now = (flexions @ moved_on.reshape(KNUCKLES, SHAPE[FLEXION], -1)).reshape(SHAPE)
+    alone = before.reshape(SHAPE)
     joints = now.sum(axis=(2, 3, 4), keepdims=True)
     first = alone.sum(axis=(2, 3, 4), keepdims=True)
     stays, joint_stays = STAYS**periods, JOINT_STAYS**periods
@@ -86,21 +117,24 @@ def aged(posterior: Array, before: Array, dt: float) -> Array:
     return out.reshape(-1) / out.sum()
 
 
-def _spread(p: Array, axis: int, sd: float) -> Array:
-    """Convolves with a normal distribution of ``sd`` cells; what leaves the grid stays at its
-    edge."""
-    n, reach = p.shape[axis], int(np.ceil(3 * sd)) + 1
-    steps = np.arange(-reach, reach + 1)
-    weight = np.exp(-0.5 * (steps / max(sd, 1e-3)) ** 2)
-    to = np.clip(np.arange(n)[:, None] + steps, 0, n - 1)
-    M = np.zeros((n, n))
-    np.add.at(M, (to, np.arange(n)[:, None]), weight / weight.sum())
-    return np.moveaxis(np.tensordot(M, p, (1, axis)), 0, axis)
+def _spread(n: int, sd: float) -> Array:
+    """(n, n) matrix that convolves with a normal distribution of ``sd`` cells; what leaves the grid
+    stays at its edge."""
+    reach = int(np.ceil(3 * sd)) + 1
+    to = np.arange(-reach, n + reach)[:, None]
+    M = np.exp(-0.5 * ((to - np.arange(n)) / max(sd, 1e-3)) ** 2)
+    M[reach] += M[:reach].sum(axis=0)
+    M[reach + n - 1] += M[reach + n :].sum(axis=0)
+    M = M[reach : reach + n]
+    return np.asarray(M / M.sum(axis=0))
 
 
-def fit(before: Array, likelihoods: Callable[[Array], Array], share: float) -> FingerFit:
-    """The finger after an image: ``before`` (G,) it, ``likelihoods`` (n, 5) -> (n,) are ln of
-    likelihood ratios, of which the ``share`` is independent of earlier images."""
+def fit(
+    before: Array, follows: Array, likelihoods: Callable[[Array], Array], share: float
+) -> FingerFit:
+    """The finger after an image: ``before`` (G,) it, ``follows`` (G,) of one that follows its
+    neighbour; ``likelihoods`` (n, 5) -> (n,) are ln of likelihood ratios, of which the ``share`` is
+    independent of earlier images."""
     logs = np.log(before + TINY)
     likely = share * _coarse(logs, likelihoods, share)
     # Divide the most probable cells twice; a divided cell has the mean of its parts.
@@ -115,7 +149,18 @@ def fit(before: Array, likelihoods: Callable[[Array], Array], share: float) -> F
             kept = _likeliest(share * values + log_prior)
             postures, log_prior = postures[kept], log_prior[kept]
     weights = _normal(share * values + log_prior)
-    return FingerFit(_normal(likely + logs), postures, weights, float(values.max()))
+    ratios = np.exp(likely - likely.max())
+    to_none = float(np.log((follows @ ratios + TINY) / (ALONE @ ratios + TINY)))
+    posterior = before * ratios / (before @ ratios)
+    return FingerFit(posterior, postures, weights, float(values.max()), to_none)
+
+
+def variance_about(posterior: Array, finger: Finger, posture: Array) -> Array:
+    """(4,) m² per axis of a finger's joints and tip relative to those in a posture (5,), for a
+    ``posterior`` (G,), with the knuckle in its nominal position."""
+    weights = posterior.reshape(KNUCKLES, -1).sum(axis=0)
+    off = finger_joints(NOMINAL, finger) - finger_joints(posture[None], finger)
+    return np.asarray(weights @ (off**2).sum(axis=2) / 3)
 
 
 def _coarse(logs: Array, likelihoods: Callable[[Array], Array], share: float) -> Array:
@@ -125,15 +170,33 @@ def _coarse(logs: Array, likelihoods: Callable[[Array], Array], share: float) ->
     table, grid = logs.reshape(KNUCKLES, -1), GRID.reshape(KNUCKLES, -1, len(AXES))
     knuckle = int(np.argmax(np.exp(table).sum(axis=1)))
     values = np.repeat(likelihoods(grid[knuckle])[None], KNUCKLES, axis=0)
-    postures = np.argsort(-(share * values[0] + table[knuckle]), kind="stable")[:POSTURES]
+    postures = highest(share * values[0] + table[knuckle], POSTURES)
     tried = np.ascontiguousarray(grid[:, postures]).reshape(-1, len(AXES))
     values[:, postures] = likelihoods(tried).reshape(KNUCKLES, -1)
     return np.asarray(values.reshape(-1))
 
 
+@kernel
+def highest(values: Vector, most: int) -> IntVector:
+    """(k,) rows of the highest values, at most ``most`` and at least one, in descending order, of
+    equal ones the first."""
+    rows, n = np.empty(most, np.int64), 0
+    for i in range(len(values)):
+        v = values[i]
+        if n == most and v <= values[rows[n - 1]]:
+            continue
+        j = min(n, most - 1)
+        n = j + 1
+        while j > 0 and values[rows[j - 1]] < v:
+            rows[j] = rows[j - 1]
+            j -= 1
+        rows[j] = i
+    return rows[:n]
+
+
 def _likeliest(logs: Array) -> Array:
     """(k,) rows of the highest values, at most `KEPT`, in their order."""
-    order = np.argsort(-logs, kind="stable")[:KEPT]
+    order = highest(logs, KEPT)
     return np.asarray(order[logs[order] > logs[order[0]] - UNLIKELY])
 
 

@@ -151,7 +151,7 @@ class FingerLikelihoods(NamedTuple):
     finger: Finger
     rig: StereoRig
     windows: Array
-    maps: Array
+    maps: NDArray[np.float32]
 
     def of(self, postures: Array) -> Array:
         """(n,) of the postures (n, 5)."""
@@ -164,7 +164,7 @@ class FingerLikelihoods(NamedTuple):
         rims[:, 0] = 0.0
         return float(self._of(posture[None], rims)[0])
 
-    def _of(self, postures: Array, maps: Array) -> Array:
+    def _of(self, postures: Array, maps: NDArray[np.float32]) -> Array:
         return finger_likelihoods(
             np.ascontiguousarray(postures), self.finger, self.rig.intrinsics, self.windows, maps
         )

@@ -56,14 +56,7 @@ class ShownHand:
     def show_fingers(self, fingers: MeasuredFingers | None) -> None:
         """Sets the fingers that were measured in images; None if there are none."""
         self._fingers = fingers
-        if fingers is None:
-            self._output.complete.measure({}, {})
-            return
-        angles: dict[int, float] = {}
-        origin: dict[int, Array] = {}
-        for row, values, at in zip(fingers.rows, fingers.angles, fingers.origin, strict=True):
-            angles.update(zip(row.columns, values.tolist(), strict=True))
-            origin[row.segments[0]] = at
+        angles, origin = fingers.placed() if fingers is not None else ({}, {})
         self._output.complete.measure(angles, origin)
 
     # ---- messages

@@ -38,7 +38,8 @@ class MeasuredFingers(NamedTuple):
     """For d fingers, measured at the time ``t`` (s): angles (d, 4) rad of the columns of ``rows``,
     origin (d, 3) m of their first segments in the nominal B of the palm, variance (d, 4) m² per
     axis of the joints and the tip relative to the palm, angle_sd (d, 3) rad without the last joint,
-    and whether the finger was seen (d,)."""
+    whether the fit is displayed (d,), where not the finger follows its neighbour, and whether the
+    finger was seen (d,)."""
 
     t: float
     rows: tuple[FingerRows, ...]
@@ -46,7 +47,17 @@ class MeasuredFingers(NamedTuple):
     origin: Array
     variance: Array
     angle_sd: Array
+    is_fitted: NDArray[np.bool_]
     is_seen: NDArray[np.bool_]
+
+    def placed(self) -> tuple[dict[int, float], dict[int, Array]]:
+        """Angles by their columns and origins by their segments, of fitted fingers."""
+        angles: dict[int, float] = {}
+        origin: dict[int, Array] = {}
+        for k in np.flatnonzero(self.is_fitted):
+            angles.update(zip(self.rows[k].columns, self.angles[k].tolist(), strict=True))
+            origin[self.rows[k].segments[0]] = self.origin[k]
+        return angles, origin
 
     def judged(
         self, found: EstimateFields, keypoints: Keypoints, t: float, palm_variance: float
@@ -61,7 +72,8 @@ class MeasuredFingers(NamedTuple):
                 for j in np.flatnonzero(keypoints.segment == segment):
                     joint = i + int(np.any(keypoints.offset[j]))
                     moving = drift * joint / (JOINTS - 1)
-                    sd[j] = np.sqrt(palm_variance + self.variance[k, joint] + moving)
+                    fitted = np.sqrt(palm_variance + self.variance[k, joint] + moving)
+                    sd[j] = fitted if self.is_fitted[k] else max(sd[j], fitted)
                     if state[j] == INFERRED and self.is_seen[k] and palm_measured:
                         state[j] = MEASURED
             if self.is_seen[k] and palm_measured:
