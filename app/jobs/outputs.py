@@ -25,7 +25,7 @@ from app.words import shown, tr
 from tracker.base.files import free_path
 from tracker.base.notices import Notice, warning
 from tracker.messages import Event, Validity
-from tracker.streaming.apart import ApartFeed, ApartStream, StreamsProcess
+from tracker.streaming.apart import ApartStream, StreamsProcess, feed
 from tracker.streaming.attach import Attachment, attach
 from tracker.streaming.connection import HOST, key_of
 from tracker.streaming.haptics import HapticPublisher, Sphere
@@ -115,25 +115,22 @@ class Feed:
     def __init__(self, setup: EngineSetup, process: StreamsProcess) -> None:
         self._setup, self._process = setup, process
         self._lock, self._users = threading.Lock(), 0
-        self._attached: list[Attachment] = []
+        self._ends: list[Callable[[], None]] = []
 
     def begin(self) -> None:
         with self._lock:
             self._users += 1
             if self._users == 1:
-                self._attached = [
-                    attach(hand.tracked, [ApartFeed(self._process, k)])
-                    for k, hand in enumerate(self._setup.hands)
+                self._ends = [
+                    feed(hand.tracked, self._process, k) for k, hand in enumerate(self._setup.hands)
                 ]
 
     def end(self) -> None:
         with self._lock:
             self._users -= 1
-            ending, self._attached = (
-                (self._attached, []) if not self._users else ([], self._attached)
-            )
-        for part in ending:
-            part.close()
+            ending, self._ends = (self._ends, []) if not self._users else ([], self._ends)
+        for end in ending:
+            end()
 
 
 class Outputs(Connections[StreamKind[Any], StreamSettings]):

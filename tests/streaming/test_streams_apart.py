@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import signal
 import socket
+import sys
 from collections.abc import Iterator
 from dataclasses import fields, replace
 
@@ -16,7 +18,7 @@ from tests.notices import raises
 from tests.streaming.moving_hand import turning
 from tracker.base.clock import ClockAnchor
 from tracker.base.notices import Notice
-from tracker.streaming.apart import ApartFeed, StreamsProcess
+from tracker.streaming.apart import ApartFeed, DirectFeed, StreamsProcess
 from tracker.streaming.apart_estimate import packed, unpacked
 from tracker.streaming.connection import StreamError
 from tracker.streaming.payload import LATEST, to_json
@@ -77,13 +79,45 @@ def test_messages_are_those_of_the_window_s_own_process(
 
 
 def test_estimates_are_read_bit_for_bit(make_estimate, names: Names) -> None:
-    for e in (make_estimate(lost=("wrist",)), turning(make_estimate(), names)):
-        hand, read = unpacked(packed(1, e))
+    other = make_estimate()
+    turned = np.asfortranarray(other.segment_R)
+    other = replace(other, segment_R=turned, angle_state=other.angle_state.astype(np.int8))
+    for e in (make_estimate(lost=("wrist",)), turning(make_estimate(), names), other):
+        hand, read = unpacked(packed(1, e, e.seq))
         assert (hand, read.t, read.seq, read.tracking) == (1, e.t, e.seq, e.tracking)
         pairs = [(read, e)] if e.motion is None else [(read, e), (read.motion, e.motion)]
         for found, wanted in pairs:
             for name in (f.name for f in fields(wanted) if f.name != "motion"):
                 np.testing.assert_array_equal(getattr(found, name), getattr(wanted, name))
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="estimates take another way there")
+def test_a_process_that_hangs_does_not_delay_the_engine(
+    process: StreamsProcess, named: Names, make_estimate, receiver
+) -> None:
+    """The newest estimates arrive once it runs again, numbered as they were offered."""
+    stream = process.open("udp", udp(receiver.getsockname()[1]), [named])
+    stream.start(lambda _: None)
+    direct = DirectFeed(process, 0)
+    direct(make_estimate())
+    assert json.loads(receiver.recv(65536))["seq"] == 0
+    os.kill(process.pid, signal.SIGSTOP)
+    try:
+        for _ in range(500):  # 2 MB
+            direct(make_estimate())
+    finally:
+        os.kill(process.pid, signal.SIGCONT)
+    receiver.settimeout(0.2)
+    seen = [0]
+    for _ in range(20):
+        direct(make_estimate())
+        with contextlib.suppress(TimeoutError):
+            while True:
+                seen.append(json.loads(receiver.recv(65536))["seq"])
+        if seen[-1] > 500:
+            break
+    stream.close()
+    assert seen == sorted(seen) and seen[-1] > 500 > len(seen)
 
 
 def test_each_hand_has_its_own_estimates(

@@ -2,7 +2,9 @@
 
 All threads of a process share Python's lock. Ten outputs that each encode 100 estimates per second
 would hold it for most of the time. `StreamsProcess` sends each estimate once, to a process that
-encodes and sends what the streams need; `tracker.streaming.apart_child` runs there.
+encodes and sends what the streams need; `tracker.streaming.apart_child` runs there. On Linux, where
+one can know that a pipe has room, the thread that makes an estimate writes it there: waking another
+one took three times as long. Elsewhere the thread of `tracker.streaming.senders` does.
 """
 
 from __future__ import annotations
@@ -11,7 +13,10 @@ import contextlib
 import itertools
 import logging
 import pickle
+import select
+import sys
 import threading
+from collections import deque
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 from concurrent.futures import TimeoutError as FutureTimeout
@@ -23,9 +28,10 @@ from tracker.messages import Estimate
 from tracker.streaming.apart_child import serve
 from tracker.streaming.apart_estimate import packed
 from tracker.streaming.apart_messages import Answered, Asked, Counted, Reported
+from tracker.streaming.attach import HasEstimate, PublishesEstimates, attach
 from tracker.streaming.connection import StreamError
 from tracker.streaming.publisher import Names, Title
-from tracker.streaming.streams import StreamCounts
+from tracker.streaming.streams import BACKLOG, StreamCounts
 
 START_WAIT = 60.0  # s for the process to import what a stream needs, on a loaded computer
 ANSWER_WAIT = 15.0  # s for a test or the end of a stream
@@ -43,6 +49,9 @@ class StreamsProcess:
     def __init__(self) -> None:
         self._pipe, self._process = start_child("glovetrack-streams", serve)
         self._sending = threading.Lock()
+        if sys.platform == "linux":
+            self._room = select.poll()
+            self._room.register(self._pipe.fileno(), select.POLLOUT)
         self._numbers, self._keys = itertools.count(1), itertools.count(1)
         self._waiting: dict[int, Future[Any]] = {}
         self._counts: dict[int, tuple[StreamCounts, ...]] = {}
@@ -64,7 +73,21 @@ class StreamsProcess:
 
     def send(self, hand: int, estimate: Estimate) -> None:
         """Passes on an estimate; may wait until the process accepts it. Raises StreamError."""
-        self._write(packed(hand, estimate))
+        self._write(packed(hand, estimate, estimate.seq))
+
+    def offer(self, data: bytes) -> bool:
+        """Sends a packed estimate unless that would wait; returns whether it was sent. Linux."""
+        if not self._sending.acquire(blocking=False):
+            return False
+        try:
+            if self.ended or not self._room.poll(0):  # otherwise a quarter of the buffer is used
+                return False
+            self._pipe.send_bytes(data)
+        except (OSError, ValueError):  # the counts report that it has ended
+            return False
+        finally:
+            self._sending.release()
+        return True
 
     def ask(self, do: str, key: int, data: Any = None, wait: float = ANSWER_WAIT) -> Any:
         """Sends a request and returns the answer. Raises StreamError."""
@@ -177,6 +200,22 @@ class ApartStream:
         self._process.forget(self._key)
 
 
+class DirectFeed:
+    """Passes a hand's estimates to the process in the thread that makes them, which takes less of
+    its time than waking another one up. Never waits: those that the process does not accept yet are
+    sent with the next one, and the oldest of more than `BACKLOG` are discarded."""
+
+    def __init__(self, process: StreamsProcess, hand: int) -> None:
+        self._process, self._hand = process, hand
+        self._numbers = itertools.count()
+        self._waiting: deque[bytes] = deque(maxlen=BACKLOG)
+
+    def __call__(self, estimate: Estimate) -> None:
+        self._waiting.append(packed(self._hand, estimate, next(self._numbers)))
+        while self._waiting and self._process.offer(self._waiting[0]):
+            self._waiting.popleft()
+
+
 class ApartFeed:
     """A publisher that passes a hand's estimates to the process."""
 
@@ -188,3 +227,12 @@ class ApartFeed:
         self._process.send(self._hand, estimate)
 
     def close(self) -> None: ...
+
+
+def feed(
+    tracker: HasEstimate | PublishesEstimates, process: StreamsProcess, hand: int
+) -> Callable[[], None]:
+    """Passes a tracker's estimates to the process from now on; the returned function ends it."""
+    if sys.platform == "linux" and isinstance(tracker, PublishesEstimates):
+        return tracker.subscribe(DirectFeed(process, hand))
+    return attach(tracker, [ApartFeed(process, hand)]).close
