@@ -19,6 +19,7 @@ import pytest
 import tracker.cli
 from app.window import remote_command
 from app.window.report_files import check_report, report_paths
+from extensions.movement.tests.arm import BODY
 from tests.gui.environments import without_screen
 from tests.notices import raises
 from tracker.base.errors import FileError
@@ -73,6 +74,13 @@ def run(*words: object, allowed: tuple[int, ...] = (0,)) -> int:
     return status
 
 
+def arm(beside: Path) -> Path:
+    """The model of an arm."""
+    path = beside.with_name("arm.osim")
+    path.write_text(BODY, "utf-8")
+    return path
+
+
 Words = Callable[[Sessions, Path], list[object]]
 EVALUATE = ["--participants", 1, "--minutes", 0.1, "--engines", "chain", "--experiments", "free"]
 
@@ -94,6 +102,9 @@ CASES: dict[str, Words] = {
     "doctor": lambda s, f: ["--only", "processor", "-o", f / "d.txt", "--json", f / "j.json"],
     "verify": lambda s, f: [s.tracked, "--json", f / "j.json"],
     "recover": lambda s, f: [s.tracked, "-o", f / "o.mcap", "--json", f / "j.json"],
+    "opensim-body": lambda s, f: [
+        *(s.tracked, "--body", arm(s.raw), "-o", f / "o.osim", "--json", f / "j.json")
+    ],
     "report": lambda s, f: [s.tracked, "-o", f / "r.html", "--json", f / "j.json"],
     "compare": lambda s, f: [
         *(s.tracked, s.again, "--figure", f / "d.png", "--json", f / "j.json")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from extensions.movement.body_command import add_opensim_body, opensim_body
 from extensions.movement.report.command import add_report, report
 from tracker.base.command import Command
 from tracker.session.export.formats import COMMON, ExportFormat, Writer
@@ -57,4 +58,10 @@ BIDS = ExportFormat(
 )
 REPORT = Command(
     "report", "summarise recordings in one HTML page and one table", report, add=add_report
+)
+OPENSIM_BODY = Command(
+    "opensim-body",
+    "attach tracked hands to a whole-body OpenSim model",
+    opensim_body,
+    add=add_opensim_body,
 )

@@ -40,11 +40,20 @@ _ROOT = ("turn_z", "turn_y", "turn_x", "x", "y", "z")
 
 def export_osim(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
     """Write the model: median sizes over the selected part, first pose, y up."""
+    model, m = hand_model(reader, options)
+    document = ET.Element("OpenSimDocument", Version=_DOCUMENT)
+    document.append(model)
+    ET.indent(document)
+    ET.ElementTree(document).write(path, encoding="utf-8", xml_declaration=True)
+    return m
+
+
+def hand_model(reader: SessionReader, options: ExportOptions) -> tuple[ET.Element, EstimateSeries]:
+    """The element ``Model``, and the estimates that it is of."""
     m = load_series(reader, options, axes="opensim", segments=True)
     motion = joint_motion(m)
     name = "hand" if "hand" in options.anonymous else m.info.hand.name
-    document = ET.Element("OpenSimDocument", Version=_DOCUMENT)
-    model = ET.SubElement(document, "Model", name=name)
+    model = ET.Element("Model", name=name)
     _text(model, "gravity", "0 -9.80665 0")
     _text(model, "length_units", "meters")
     _text(model, "force_units", "N")
@@ -53,9 +62,19 @@ def export_osim(reader: SessionReader, path: Path, options: ExportOptions) -> Es
     _bodies(model, m, scale, reader)
     _joints(model, m, motion, scale)
     _markers(model, m, scale)
-    ET.indent(document)
-    ET.ElementTree(document).write(path, encoding="utf-8", xml_declaration=True)
-    return m
+    return model, m
+
+
+def coordinate_values(m: EstimateSeries) -> tuple[list[str], Array]:
+    """Names and values (N, C) rad of all rotations of the joints but the root's, also of those that
+    the hand file does not define."""
+    hand, motion = m.info.hand, joint_motion(m)
+    plain, flexed_last = motion.angles(), motion.flexed_last()
+    names, values = [], []
+    for i in (s for s, a in enumerate(hand.parent) if a >= 0):
+        names += coordinate_names(hand, i)
+        values.append((plain if _turns(hand, i) == _TURNS else flexed_last)[:, i])
+    return names, np.hstack(values)
 
 
 def _bodies(model: ET.Element, m: EstimateSeries, scale: Array, reader: SessionReader) -> None:

@@ -13846,6 +13846,26 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>{path} is not an OpenSim model.</source>
+      <translation>{path} ist kein OpenSim-Modell.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} has the format of OpenSim 3. Open it in OpenSim 4 and save it, then use that file.</source>
+      <translation>{path} hat das Format von OpenSim 3. Öffnen Sie die Datei in OpenSim 4, speichern Sie sie und verwenden Sie dann diese Datei.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} has no body {name}. Available: {known:list}.</source>
+      <translation>{path} hat keinen Körper {name}. Vorhanden: {known:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The motion of the body has no row between {start_s:.2f} and {end_s:.2f} s, where the session is. Specify another --offset.</source>
+      <translation>Die Bewegung des Körpers hat keine Zeile zwischen {start_s:.2f} und {end_s:.2f} s, wo die Sitzung liegt. Geben Sie ein anderes --offset an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>OpenXR layer</source>
       <translation>OpenXR-Schicht</translation>
     </message>
@@ -14133,6 +14153,11 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>must be a list of its three columns x, y and z</source>
       <translation>muss eine Liste der drei Spalten x, y und z sein</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Keyed poses to {host}:{port}</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <location filename="glovetrack.notices" />
