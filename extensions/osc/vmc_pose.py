@@ -52,19 +52,19 @@ class AvatarHand:
 
     def poses(self, bones: Sequence[int], estimate: Estimate) -> Array:
         """Local poses (n, 7) of the segments ``bones``: position (m), quaternion xyzw, w ≥ 0."""
-        rows = list(bones)
-        out = np.column_stack([self.offsets[rows], self.rotations(rows, estimate.angles)])
-        pose = np.dstack([estimate.segment_R, estimate.segment_p])
-        posed = np.asarray(np.isfinite(pose).all(axis=(1, 2)))
-        known = posed[rows] & posed[self._parent[rows]]
-        if known.any():
-            i = np.array(rows)[known]
-            a = self._parent[i]
-            from_G = self._axes[a] @ pose[a, :, :3].transpose(0, 2, 1)
-            out[known, :3] = np.einsum("nij,nj->ni", from_G, pose[i, :, 3] - pose[a, :, 3])
-            turned = from_G @ pose[i, :, :3] @ self._axes[i].transpose(0, 2, 1)
-            out[known, 3:] = quats(np.ascontiguousarray(turned))
-        return np.where(out[:, 6:] < 0, out * [1, 1, 1, -1, -1, -1, -1], out)
+        i = np.asarray(bones)
+        a = self._parent[i]
+        R, p = estimate.segment_R, estimate.segment_p
+        from_G = self._axes[a] @ R[a].transpose(0, 2, 1)
+        out = np.empty((len(i), 7))
+        out[:, :3] = (from_G @ (p[i] - p[a])[:, :, None])[:, :, 0]
+        out[:, 3:] = quats(from_G @ R[i] @ self._axes[i].transpose(0, 2, 1))
+        unknown = np.flatnonzero(~np.isfinite(out).all(axis=1))
+        if len(unknown):
+            rows = i[unknown]
+            out[unknown, :3] = self.offsets[rows]
+            out[unknown, 3:] = self.rotations(rows.tolist(), estimate.angles)
+        return out
 
     def rotations(self, bones: Sequence[int], angles: Array) -> Array:
         """Local rotations (n, 4) xyzw, w ≥ 0, of the segments ``bones`` from angles (J,) rad.
