@@ -23,7 +23,7 @@ from tracker.session.recover import needs_recovery
 from tracker.streaming.remote.client import ask
 
 ROOT = Path(__file__).parents[1]
-WATCHED, RECORDED = 2.0, 2.5  # s before a recording begins, and of it
+WATCHED, RECORDED = 2.0, 3.0  # s before a recording begins, and of it
 START_TIMEOUT, STEP_TIMEOUT = 240.0, 60.0  # s on a busy computer
 ATTEMPT = 2.0  # s for an answer while the window starts
 

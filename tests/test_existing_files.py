@@ -6,6 +6,7 @@ The options are read from the parsers: one that is not listed here fails the fir
 from __future__ import annotations
 
 import argparse
+import importlib
 import json
 import os
 import subprocess
@@ -59,7 +60,7 @@ class Sessions(NamedTuple):
 def sessions(tmp_path_factory: pytest.TempPathFactory) -> Sessions:
     folder = tmp_path_factory.mktemp("sessions")
     found = Sessions(*(folder / n for n in ("raw.mcap", "tracked.mcap", "again.mcap", "imu.csv")))
-    run("simulate", "-o", found.raw, "--duration", 5, "--fps", 15)
+    run("simulate", "-o", found.raw, "--duration", 4, "--fps", 15)
     run("track", found.raw, "-o", found.tracked, "--with-sensors")
     run("track", found.raw, "-o", found.again, "--engine", "vist")
     run("export", found.tracked, "--format", "imu.csv", "-o", found.table)
@@ -122,7 +123,16 @@ CASES: dict[str, Words] = {
     "evaluate gestures": lambda s, f: [
         *("--on-truth", "--people", 1, "--seconds", 1, "--json", f / "j.json")
     ],
-    "evaluate hands": lambda s, f: ["--pairs", 1, "--seconds", 4, "--json", f / "j.json"],
+    "evaluate hands": lambda s, f: [
+        "--pairs",
+        1,
+        "--seconds",
+        4,
+        "--fps",
+        10,
+        "--json",
+        f / "j.json",
+    ],
     "evaluate robot": lambda s, f: [
         *("--trials", 1, "--people", 1, "--seconds", 1, "--json", f / "j.json")
     ],
@@ -218,9 +228,18 @@ def test_every_option_that_writes_is_tried(tmp_path: Path) -> None:
         assert set(names) & set(CASES[command](paths, tmp_path)), f"{command} {names} is not tried"
 
 
+REPEATED = (
+    "tracker.base.workers.run_all",
+    "extensions.evaluation.gestures.score.score",
+    "extensions.evaluation.inertial.report.run",
+)
+"""Work of evaluations: the run with --force has the results of the one before."""
+
+
 @pytest.fixture
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A window that does what it is asked, and colours that fit at once."""
+    """A window that does what it is asked, colours that fit at once, evaluations that compute their
+    results only once."""
     done = Reply(True, "stop", "Done.").as_json()
     monkeypatch.setattr(remote_command, "ask", lambda words: done)
 
@@ -229,6 +248,26 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> None:
         return SessionFit(profile, check, check, {})  # type: ignore[arg-type]
 
     monkeypatch.setattr(offline_colours, "fit_messages", fit)
+    for where in REPEATED:
+        monkeypatch.setattr(where, remembered(_at(where)))
+
+
+def remembered(work: Callable[..., object]) -> Callable[..., object]:
+    """``work``, of which a call with the same first argument has the same result at once."""
+    known: dict[str, object] = {}
+
+    def call(first: object, *others: object) -> object:
+        if (key := repr(first)) not in known:
+            known[key] = work(first, *others)
+        return known[key]
+
+    return call
+
+
+def _at(where: str) -> Callable[..., object]:
+    module, _, name = where.rpartition(".")
+    found: Callable[..., object] = getattr(importlib.import_module(module), name)
+    return found
 
 
 def files_in(folder: Path) -> dict[Path, bytes]:

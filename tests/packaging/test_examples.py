@@ -69,26 +69,36 @@ def test_the_tree_is_not_used(site: Path) -> None:
     assert run(site, code) == "[]"
 
 
-def test_an_application_is_found_and_draws(site: Path) -> None:
-    code = """
+@pytest.fixture(scope="module")
+def tracked(site: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Three seconds, by the installed commands."""
+    folder = tmp_path_factory.mktemp("tracked")
+    raw, out = str(folder / "raw.mcap"), folder / "s.mcap.t.mcap"
+    code = f"""
+from glovetrack.app.__main__ import main
+assert main(["simulate", "-o", {raw!r}, "--duration", "3", "--blobs-only"]) == 0
+assert main(["track", {raw!r}, "-o", {str(out)!r}]) == 0
+"""
+    run(site, code)
+    return out
+
+
+def test_an_application_is_found_and_draws(site: Path, tracked: Path) -> None:
+    code = f"""
 import json
 from glovetrack.app.__main__ import main
-assert main(["simulate", "-o", "s.mcap", "--duration", "3", "--blobs-only", "--force"]) == 0
-assert main(["track", "s.mcap", "-o", "t.mcap", "--force"]) == 0
-assert main(["apps", "air-drawing", "t.mcap", "--json", "a.json", "--force"]) == 0
+assert main(["apps", "air-drawing", {str(tracked)!r}, "--json", "a.json", "--force"]) == 0
 print(json.loads(open("a.json").read())["application"])
 """
     assert run(site, code).splitlines()[-1] == "air-drawing"
 
 
-def test_a_command_is_listed_and_runs(site: Path, tmp_path: Path) -> None:
-    session = str(tmp_path / "s.mcap")
+def test_a_command_is_listed_and_runs(site: Path, tracked: Path) -> None:
+    session = str(tracked)
     code = f"""
 from glovetrack.app.__main__ import main
-assert main(["simulate", "-o", {session!r}, "--duration", "3", "--blobs-only"]) == 0
-assert main(["track", {session!r}, "-o", {session!r} + ".t.mcap"]) == 0
-assert main(["pinches", {session!r} + ".t.mcap", "--closer-mm", "0.001"]) == 0
-assert main(["pinches", {session!r} + ".t.mcap", "--closer-mm", "1000"]) == 0
+assert main(["pinches", {session!r}, "--closer-mm", "0.001"]) == 0
+assert main(["pinches", {session!r}, "--closer-mm", "1000"]) == 0
 try:
     main(["pinches", "x", "--closer-mm", "0"])
 except SystemExit as ended:
