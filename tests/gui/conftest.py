@@ -38,6 +38,13 @@ def _ours() -> list[str]:
 
 
 @pytest.fixture
+def unstyled(monkeypatch):
+    """No style sheet, which takes half of the time of making a window: for tests that neither
+    measure nor look at anything."""
+    monkeypatch.setattr("app.window.theme.style_sheet", lambda colours: "")
+
+
+@pytest.fixture
 def store(tmp_path):
     store = SettingsStore(tmp_path / "window.json")
     store.update(theme="light", job="all", sessions_folder=str(tmp_path / "sessions"))

@@ -18,6 +18,8 @@ from tracker.hand.poses import POSES
 from tracker.messages import Event, Tracking, Validity
 from tracker.simulation.postures import posture
 
+pytestmark = pytest.mark.usefixtures("unstyled")
+
 
 class Posed(ScriptedEngine):
     """A tracked hand with the given ``angles`` (J,), and a filter that executes commands."""
@@ -111,8 +113,8 @@ def guided(window, engine, clock, recorders, qtbot, monkeypatch):
     qtbot.keyClick(window, Qt.Key.Key_F6)
     dialog = window.set_up.dialogs["guided"]
     dialog._timer.stop()  # the test is the clock
-    # hundreds of images that no test checks; those of conformance are drawn
-    monkeypatch.setattr(dialog.lead.stage.view, "render_scene", lambda: None)
+    # hundreds of hands that no test looks at; those of conformance and the demo are drawn
+    monkeypatch.setattr(dialog.lead.stage, "refresh", lambda *_, **__: None)
     with qtbot.waitActive(dialog):
         dialog.activateWindow()
     return dialog
@@ -476,7 +478,7 @@ def both(window, clock, qtbot, monkeypatch):
     window.run_command("guided")
     dialog = window.set_up.dialogs["guided"]
     dialog._timer.stop()
-    monkeypatch.setattr(dialog.lead.stage.view, "render_scene", lambda: None)
+    monkeypatch.setattr(dialog.lead.stage, "refresh", lambda *_, **__: None)
     return dialog, right, left
 
 

@@ -26,6 +26,8 @@ from tracker.session.export.formats import formats
 from tracker.session.export.options import DatasetOptions
 from tracker.session.reader import SessionReader
 
+pytestmark = pytest.mark.usefixtures("unstyled")
+
 NAMES = ("P01_pinch", "P01_fist", "P02_pinch")
 
 

@@ -103,7 +103,9 @@ class LeadPage(LeadingPage):
         text = word(run, t)
         self.word.setVisible(bool(text))
         self.word.setText(text)
-        self.word.setStyleSheet(f"background: {colour(run)}")
+        style = f"background: {colour(run)}"
+        if self.word.styleSheet() != style:
+            self.word.setStyleSheet(style)
         self.show_chips(chips(run))
         self._show_buttons(waiting)
 
