@@ -14157,7 +14157,7 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.notices" />
       <source>Keyed poses to {host}:{port}</source>
-      <translation type="unfinished" />
+      <translation>Benannte Posen an {host}:{port}</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
