@@ -17,15 +17,22 @@ class _Catalogue:
 
     look_up: Callable[[str], str | None] | None = None
     decimal = "."
+    language = "en"
 
 
 def use(
     look_up: Callable[[str], str | None] | None,
     decimal: str = ".",
+    language: str = "en",
 ) -> None:
     """Translates with ``look_up`` from now on, which returns None for an unknown text.
-    ``decimal``: the separator in numbers."""
-    _Catalogue.look_up, _Catalogue.decimal = look_up, decimal
+    ``decimal``: the separator in numbers; ``language``: the code of the language."""
+    _Catalogue.look_up, _Catalogue.decimal, _Catalogue.language = look_up, decimal, language
+
+
+def language() -> str:
+    """The code of the language in use."""
+    return _Catalogue.language
 
 
 def tr(text: str) -> str:

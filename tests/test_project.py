@@ -173,6 +173,9 @@ def test_a_left_glove_mirrors_its_right_one(path: Path) -> None:
 
 
 THREADS = {
+    "app/engines/apart/child.py": "requests and news of the window",
+    "app/engines/apart/demo.py": "builds the simulated hands when they are needed",
+    "app/engines/apart/process.py": "news of the process that tracks",
     "app/engines/demo.py": "finds how the simulated wearer touches his fingertips",
     "app/engines/replay/thread.py": "plays a session beside the window",
     "tracker/simulation/rig_device.py": "sends images as a device of its own does",
@@ -212,6 +215,9 @@ CLOCKS = {
     "tracker/doctor/machine.py": "rates of devices and of the disk",
     "tracker/doctor/speed.py": "how long tracking takes",
     "app/engines/demo.py": "begins now",
+    "app/engines/apart/news.py": "when a status is due",
+    "app/engines/apart/process.py": "how often the window is refreshed",
+    "app/engines/engine_host.py": "when tracking was last started again",
     "app/engines/snapshot.py": "when the engine was last looked at",
     "app/engines/hardware.py": "anchors a recording to the wall clock",
     "app/engines/recording.py": "the time recorded",

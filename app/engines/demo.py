@@ -18,7 +18,15 @@ from app.engines.demo_camera import (
     glove_mark,
     start_camera,
 )
-from app.engines.engine import CameraPart, EngineSetup, GlovePart, LivePart, seen_from_main
+from app.engines.engine import (
+    Built,
+    CameraPart,
+    EngineSetup,
+    GlovePart,
+    LivePart,
+    Send,
+    seen_from_main,
+)
 from app.engines.protocols import ReferenceHand
 from app.engines.recording import recorder_maker
 from app.engines.warm_up import warm_up
@@ -80,25 +88,38 @@ def demo_setup(
 
     ``camera`` was started already, for the same seed and choice.
     """
+    return build_demo(progress, seed, choice, camera).setup
+
+
+def build_demo(
+    progress: JobProgress,
+    seed: int,
+    choice: DemoChoice,
+    camera: DemoCamera | None = None,
+    listened: bool = True,
+) -> Built:
+    """As `demo_setup`, with the way to the simulated wearer. ``listened``: with the listeners that
+    other packages attach to the hands."""
     progress(0.1, tr("a simulated wearer and camera"))
     spec = demo_spec(seed, choice)
     camera = camera or start_camera(seed, choice)  # starts in a process of its own
     glove_process = GloveProcess(spec)  # and so do the gloves
     try:
-        return _setup_with(progress, spec, choice.has_camera, camera, glove_process)
+        return _built_with(progress, spec, choice.has_camera, (camera, glove_process), listened)
     except BaseException:  # also after Ctrl+C no process may remain
         camera.close()
         glove_process.close()
         raise
 
 
-def _setup_with(
+def _built_with(
     progress: JobProgress,
     spec: DemoSpec,
     has_camera: bool,
-    camera: DemoCamera,
-    glove_process: GloveProcess,
-) -> EngineSetup:
+    devices: tuple[DemoCamera, GloveProcess],
+    listened: bool,
+) -> Built:
+    camera, glove_process = devices
     wearers = hands_of(build_scene(spec))
     first = next(iter(wearers.values()))
     colours_text = library.text("colours", library.DEFAULT_COLOURS)
@@ -121,9 +142,15 @@ def _setup_with(
     info = _info(spec, spec.rig if has_camera else None, colours_text, tracker.settings)
     recorders = RecorderProcesses(Prepare(spec))
     recorders.warm()
+
+    def send(asked: PostureRequest, pose: str) -> None:
+        ask(first, asked)
+        glove_process.ask(asked)
+        camera.ask(asked, pose)
+
     wearer = None
     if len(wearers) == 1:  # two wearers follow no guidance
-        wearer = GuidedWearer(first, (camera, glove_process), lambda: time.monotonic() - t_0)
+        wearer = GuidedWearer(lambda: first, send, t_0)
 
     def close() -> None:
         if wearer is not None:
@@ -137,18 +164,22 @@ def _setup_with(
 
     make_recorder = recorder_maker(tracker, info, record)
     camera_part = _camera(first, spec.fps if has_camera else 0.0)
-    return seen_from_main(
+    setup = seen_from_main(
         [
             replace(
                 _seen_from(glove, tracker, camera_part, profile, close),
                 live=LivePart(tracker, tracker.hand(side), make_recorder, wearer),
                 truth=SimulatedTruth(glove.simulation, t_0),
+                listeners=tracker.hand(side).attach_listeners(glove.link.vibrate)
+                if listened
+                else {},
                 application=shown_application(spec.motion),
                 anchor=info.anchor,
             )
             for side, glove in gloves.items()
         ]
     )
+    return Built(setup, send if wearer is not None else None, t_0)
 
 
 def _gloves(wearers: Mapping[str, Simulation], glove_process: GloveProcess) -> dict[str, DemoGlove]:
@@ -177,7 +208,6 @@ def _seen_from(
         close=close,
         connection=_connection(glove),
         simulated=True,
-        listeners=hand.attach_listeners(glove.link.vibrate),
         missing="" if camera.present else alone,
     )
 
@@ -248,24 +278,22 @@ def _info(
 
 
 class GuidedWearer:
-    """Moves the hand that the simulated glove and camera see. ``clock`` gives s of simulated time.
+    """Moves the hand that the simulated glove and camera see.
 
     Poses are solved on a thread: a pinch takes about a second.
     """
 
-    def __init__(
-        self,
-        simulation: Simulation,
-        devices: tuple[DemoCamera, GloveProcess],
-        clock: Callable[[], float],
-    ) -> None:
-        self._simulation, self._clock = simulation, clock
-        self._camera, self._glove_process = devices
-        rng = rng_for(simulation.seed, "postures asked for")
-        self._held = HeldHand(simulation.wearer, HoldParams(), rng)
+    def __init__(self, simulation: Callable[[], Simulation], send: Send, t_0: float) -> None:
+        """``simulation`` is called when it is needed; ``t_0`` (s) is when its motion begins."""
+        self._simulation, self._send, self._t_0 = simulation, send, t_0
+        self._held: HeldHand | None = None
         self._gestures: dict[str, tuple[float, ...]] = {}
         self._thread = ThreadPoolExecutor(1, "glovetrack-demo-guide")
         self._closed = False
+
+    def _clock(self) -> float:
+        """s of simulated time."""
+        return time.monotonic() - self._t_0
 
     def show(self, pose: str) -> None:
         """Take the pose within about two seconds; empty: resume the motion."""
@@ -284,7 +312,7 @@ class GuidedWearer:
         self._submit(self._ask_plan, plan, name)
 
     def _ask_plan(self, plan: Plan, name: str) -> None:
-        for asked in plan(self._simulation, self._clock() + AHEAD):
+        for asked in plan(self._simulation(), self._clock() + AHEAD):
             self._send(asked, name)
 
     def _submit(self, work: Callable[..., object], *args: object) -> None:
@@ -295,7 +323,8 @@ class GuidedWearer:
     def _gesture(self, name: str) -> tuple[float, ...]:
         """(J,) rad."""
         if name not in self._gestures:
-            hand, wearer = self._simulation.hand, self._simulation.wearer
+            simulation = self._simulation()
+            hand, wearer = simulation.hand, simulation.wearer
             angles = gesture_angles(hand, name, wearer)
             self._gestures[name] = tuple(angles.tolist())
         return self._gestures[name]
@@ -306,14 +335,17 @@ class GuidedWearer:
         self._send(PostureRequest(self._clock() + AHEAD, angles, turning), gesture)
 
     def _ask(self, pose: str) -> None:
-        then = self._clock() + AHEAD + MOVE
-        angles = tuple(self._held.angles(pose, then).tolist()) if pose else ()
+        angles = self._angles(pose) if pose else ()
         self._send(PostureRequest(self._clock() + AHEAD, angles), pose)
 
-    def _send(self, asked: PostureRequest, pose: str) -> None:
-        ask(self._simulation, asked)
-        self._glove_process.ask(asked)
-        self._camera.ask(asked, pose)
+    def _angles(self, pose: str) -> tuple[float, ...]:
+        """(J,) rad."""
+        if self._held is None:
+            simulation = self._simulation()
+            rng = rng_for(simulation.seed, "postures asked for")
+            self._held = HeldHand(simulation.wearer, HoldParams(), rng)
+        then = self._clock() + AHEAD + MOVE
+        return tuple(self._held.angles(pose, then).tolist())
 
     def close(self) -> None:
         """End the thread."""

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
+from multiprocessing.connection import Connection
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from app.engines.protocols import (
     CameraControls,
@@ -14,6 +15,7 @@ from app.engines.protocols import (
     GroundTruth,
     LiveEngine,
     Player,
+    RecordedFile,
     RecordingRequest,
     SimulatedWearer,
     TrackedHand,
@@ -24,11 +26,17 @@ from tracker.base.notices import Notice
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.live.listeners import Listener
-from tracker.live.recording import Recorder
 from tracker.messages import StereoFrame
 from tracker.session.description import MAIN
 from tracker.vision.colours import ColourProfile
 from tracker.vision.rig import StereoRig
+
+if TYPE_CHECKING:
+    from tracker.simulation.posture_requests import PostureRequest
+
+
+PassOn = Callable[[Connection, Sequence[str]], Callable[[], None]]
+"""Sends the estimates of the hands of these sides into a pipe; returns a function that ends it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,12 +44,14 @@ class LivePart:
     """What a live engine offers besides what every engine does, for one hand.
 
     ``wearer`` is a simulated one who follows the guidance; a real one reads it on the screen.
+    ``pass_on`` sends estimates to the streams' process directly; None: the window has to.
     """
 
     engine: LiveEngine
     hand: CommandedHand
-    make_recorder: Callable[[RecordingRequest], Recorder]
+    make_recorder: Callable[[RecordingRequest], RecordedFile]
     wearer: SimulatedWearer | None = None
+    pass_on: PassOn | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,6 +66,10 @@ class CameraPart:
     device: CameraDevice | None = None
     controls: CameraControls | None = None
     true_rig: StereoRig | None = None  # the camera behind a simulation's images
+
+    def without_devices(self) -> CameraPart:
+        """The same without what is open."""
+        return replace(self, device=None, controls=None)
 
     def is_single(self, frame: StereoFrame | None = None) -> bool:
         """Whether it has one lens, by its calibration, or without one by its images."""
@@ -78,6 +92,10 @@ class GlovePart:
     device: GloveDevice | None = None
     file: str = ""
     own_file: str = ""
+
+    def without_device(self) -> GlovePart:
+        """The same without what is open."""
+        return replace(self, device=None)
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,3 +165,15 @@ def seen_from_main(setups: Sequence[EngineSetup]) -> EngineSetup:
     """One engine's setups, of one hand or of both, seen from the main one."""
     main = next((setup for setup in setups if setup.side == MAIN), setups[0])
     return replace(main, others=tuple(setup for setup in setups if setup is not main))
+
+
+Send = Callable[["PostureRequest", str], None]
+"""Sends a posture, and its name, to the simulated wearer."""
+
+
+class Built(NamedTuple):
+    """An engine; for a simulated wearer how to request postures, and when (s) the motion begins."""
+
+    setup: EngineSetup
+    send: Send | None = None
+    begins: float = 0.0

@@ -6,10 +6,13 @@ Panels never access the engine: they read a `Snapshot` and call this object, whi
 from __future__ import annotations
 
 import logging
+import time
 from collections.abc import Callable, Mapping
+from typing import TypeVar
 
 from PySide6.QtCore import QObject, Signal
 
+from app.engines.apart.messages import ENDED
 from app.engines.engine import EngineSetup
 from app.engines.notes import Notes
 from app.engines.recording import Recording
@@ -24,6 +27,8 @@ from tracker.vision.colours import ColourProfile
 
 _log = logging.getLogger(__name__)
 SetupFactory = Callable[[JobProgress], EngineSetup]
+T = TypeVar("T")
+REVIVE_EVERY = 20.0  # s; a process that ends sooner is not started again
 CLOSING = 0.3  # s to wait for the end of a file; with a slow disk it is finished in the background
 
 
@@ -55,6 +60,7 @@ class EngineHost(QObject):
         self.running = False
         self.opening = False
         self._ended = False
+        self._revived = float("-inf")  # s, when tracking that had stopped was started again
 
     # --- life of the engine
 
@@ -136,8 +142,17 @@ class EngineHost(QObject):
         self.running_changed.emit(False)
 
     def _end_failed(self, why: Notice) -> None:
-        """Stop after a thread of the engine has failed, and show why."""
+        """Stop after a thread of the engine has failed, and show why; a process that has ended is
+        started again, unless it ends all the time."""
         self.stop()
+        now = time.monotonic()
+        since, self._revived = now - self._revived, now
+        if why.code == ENDED and since >= REVIVE_EVERY:
+            self.error.emit(
+                self.tr("Tracking has stopped. {} It starts again.").format(notice_text(why))
+            )
+            self.start()
+            return
         self.error.emit(
             self.tr("Tracking has stopped. {} Start it again.").format(notice_text(why))
         )
@@ -205,15 +220,24 @@ class EngineHost(QObject):
             self.recording.set_engine(self._setup.live)
             self.hand_changed.emit(self._setup)
 
-    def command(self, work: Callable[[Engine], None], side: str = "") -> bool:
-        """Run ``work`` on the thread of the engine, for the hand shown or of ``side``; returns
-        False without a live engine."""
+    def command(
+        self,
+        work: Callable[[Engine], T],
+        side: str = "",
+        answer: Callable[[T], None] | None = None,
+    ) -> bool:
+        """Run ``work`` on the thread of the engine, for the hand shown or of ``side``, and pass the
+        result to ``answer`` in another thread; returns False without a live engine.
+
+        ``work`` is a function of a module, or a `partial` of one: the engine may be in another
+        process.
+        """
         setup = self._setup
         if setup is not None and side:
             setup = setup.seen_from(side)
         if setup is None or setup.live is None:
             return False
-        setup.live.hand.command(work)
+        setup.live.hand.command(work, answer)
         return True
 
     # --- data for panels

@@ -86,10 +86,14 @@ class FoundDevices:
         return (HandGlove(settings.glove, settings.hand, hand, glove, None, None),)
 
 
-def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
+def hardware_setup(
+    progress: JobProgress, settings: AppSettings, listened: bool = True
+) -> EngineSetup:
     """Find the devices and build an engine for them, even if the glove or the camera is missing.
 
-    Raises DeviceError if both are.
+    ``listened``: with the listeners that other packages attach to the hands.
+
+    Raises DeviceError if both are missing.
     """
     found = find_devices(progress, settings)
     progress(0.7, tr("engine"))
@@ -141,7 +145,7 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
             close=recorders.close,
             connection=connection,
             live=LivePart(tracker, hand, make_recorder),
-            listeners=hand.attach_listeners(link.vibrate if link else None),
+            listeners=hand.attach_listeners(link.vibrate if link else None) if listened else {},
             missing=" ".join(found.missing),
             anchor=info.anchor,
         )

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Protocol, TypeAlias
+from typing import TYPE_CHECKING, Protocol, TypeAlias, TypeVar
 
 import numpy as np
 
@@ -36,6 +36,8 @@ from tracker.sensors.camera_controls import CameraReport, Control, Locks
 from tracker.sensors.camera_fixed import FixedSetting
 from tracker.sensors.glove_report import GloveReport
 from tracker.vision.colours import ColourProfile
+
+T = TypeVar("T")
 
 if TYPE_CHECKING:  # a window without a demo does not load the simulator
     from tracker.simulation.posture_requests import PostureRequest
@@ -72,6 +74,29 @@ class RecordingRequest:
     task: str
 
 
+class RecordedFile(Recorder, Protocol):
+    """A file that is being recorded, see `app.engines.recording.PausableRecorder`."""
+
+    paused: bool
+
+    @property
+    def written(self) -> int: ...
+
+    @property
+    def broken(self) -> bool: ...
+
+    @property
+    def problem(self) -> str: ...
+
+    @property
+    def figures(self) -> Mapping[str, float]: ...
+
+    @property
+    def closed(self) -> bool: ...
+
+    def wait(self, longest: float) -> bool: ...
+
+
 class TrackedHand(Protocol):
     """The latest data of one hand, see `tracker.live.runner.HandOfTracker`."""
 
@@ -95,8 +120,14 @@ class TrackedHand(Protocol):
 class CommandedHand(Protocol):
     """Requests to a live engine for one hand."""
 
-    def command(self, work: Callable[[Engine], None]) -> None:
-        """Run ``work`` on the engine's own thread."""
+    def command(
+        self, work: Callable[[Engine], T], answer: Callable[[T], None] | None = None
+    ) -> None:
+        """Run ``work`` on the engine's own thread, and pass its result to ``answer`` in another
+        thread than the caller's.
+
+        ``work`` may be sent to another process: a function of a module, or a `partial` of one.
+        """
 
     def reset_pose(self) -> None:
         """Align the hand: the wearer holds it flat now."""
@@ -112,6 +143,9 @@ class CommandedHand(Protocol):
 
     def follow(self, follower: Callable[[Estimate, float], None] | None) -> None:
         """Send each estimate to ``follower``, for example a robot; None ends that."""
+
+    def subscribe(self, subscriber: Callable[[Estimate], None]) -> Callable[[], None]:
+        """Call ``subscriber`` with each estimate that is shown; the returned function ends that."""
 
     def record(self, message: Message) -> None:
         """Add a message to the recording, if there is one."""
@@ -168,7 +202,7 @@ class LiveEngine(WindowEngine, Protocol):
 
     def set_engine(self, name: str) -> None: ...
 
-    def set_recorder(self, recorder: Recorder | None) -> None: ...
+    def set_recorder(self, recorder: RecordedFile | None) -> None: ...
 
     def keep_state(self) -> None: ...
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from app.engines.engine import LivePart
-from app.engines.protocols import RecordingRequest
+from app.engines.protocols import RecordedFile, RecordingRequest
 from app.words import error_text, notice_text, tr
 from tracker.base.clock import monotonic
 from tracker.base.errors import GlovetrackError, notice_of
@@ -100,9 +100,9 @@ class Recording(QObject):
         self._clock = clock
         self._open: LivePart | None = None  # that can be recorded
         self._live: LivePart | None = None  # that is recorded
-        self._recorder: PausableRecorder | None = None
+        self._recorder: RecordedFile | None = None
         self._began = 0.0
-        self._closing: tuple[Path, PausableRecorder] | None = None  # its disk is slow
+        self._closing: tuple[Path, RecordedFile] | None = None  # its disk is slow
         self._left = False  # its engine is closed and does not report problems any more
         self.request: RecordingRequest | None = None
         self.refusal: Notice | None = None  # why the last one could not begin
@@ -166,7 +166,7 @@ class Recording(QObject):
             )
             return False
         try:
-            self._recorder = PausableRecorder(live.make_recorder(request))
+            self._recorder = live.make_recorder(request)
         except (GlovetrackError, OSError) as error:
             self.refuse(notice_of(error))
             return False
@@ -253,13 +253,13 @@ def recorder_maker(
     info: SessionInfo,
     record: Callable[[Path, SessionInfo], Recorder],
     clock: Callable[[], float] = monotonic,
-) -> Callable[[RecordingRequest], Recorder]:
+) -> Callable[[RecordingRequest], PausableRecorder]:
     """Returns a function that begins a recording, with the present engine, settings and colours.
 
     ``record`` begins a file; ``clock`` gives s of the monotonic clock of ``info.anchor``.
     """
 
-    def make_recorder(request: RecordingRequest) -> Recorder:
+    def make_recorder(request: RecordingRequest) -> PausableRecorder:
         named = replace(
             info,
             anchor=info.anchor.at(clock()),
@@ -269,6 +269,6 @@ def recorder_maker(
             settings_text=settings_text(tracker.settings),
             colours_text=profile_to_toml(tracker.profile),
         )
-        return record(request.path, named)
+        return PausableRecorder(record(request.path, named))
 
     return make_recorder

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from functools import partial
 
 from PySide6.QtCore import QObject, Signal
 
@@ -12,6 +13,7 @@ from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 from tracker.fusion.chain.calibration.control import renewed
 from tracker.fusion.chain.calibration.measured import measured_profile
+from tracker.fusion.chain.calibration.profile_file import WearerFile
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.profile import WearerProfile
 from tracker.fusion.engine import Engine
@@ -51,31 +53,41 @@ class CalibrationCommands(QObject):
 
     def reset(self, segments: Sequence[str] | None) -> bool:
         """Reset the calibration of some segments, or (None) of all."""
-        return self._command(lambda engine: engine.wearer.reset(segments))
+        return self._host.command(partial(_reset, segments=segments))
 
     def freeze(self, on: bool) -> bool:
-        return self._command(lambda engine: engine.wearer.freeze(on))
+        return self._host.command(partial(_freeze, on=on))
 
     def put_on(self, profile: WearerProfile, side: str) -> bool:
         """Send a profile, and the calibration of the glove from an earlier fit, to that hand."""
-
-        def work(engine: Engine) -> None:
-            learner = learning_part(engine)
-            learner.put_on(renewed(profile, learner.layout))
-
-        return self._host.command(work, side)
+        return self._host.command(partial(_put_on, profile=profile), side)
 
     def measured(self, length: float) -> bool:
         """Restart the calibration with this hand length (m)."""
-        return self._command(lambda e: e.put_on(measured_profile(e.layout, length)))
+        return self._host.command(partial(_put_on_measured, length=length))
 
     def ask(self) -> bool:
         """Request the calibration, which `learned` delivers."""
-        setup = self._host.setup
-        return setup is not None and self._command(self._answer)
+        return self._host.command(_learned, answer=self.learned.emit)
 
-    def _answer(self, learner: LearnsWearer) -> None:
-        self.learned.emit(learned(learner))
 
-    def _command(self, work: Callable[[LearnsWearer], None]) -> bool:
-        return self._host.command(lambda engine: work(learning_part(engine)))
+def _reset(engine: Engine, segments: Sequence[str] | None) -> None:
+    learning_part(engine).wearer.reset(segments)
+
+
+def _freeze(engine: Engine, on: bool) -> None:
+    learning_part(engine).wearer.freeze(on)
+
+
+def _put_on(engine: Engine, profile: WearerProfile) -> None:
+    learner = learning_part(engine)
+    learner.put_on(renewed(profile, learner.layout))
+
+
+def _put_on_measured(engine: Engine, length: float) -> None:
+    learner = learning_part(engine)
+    learner.put_on(measured_profile(learner.layout, length))
+
+
+def _learned(engine: Engine) -> WearerFile:
+    return learned(learning_part(engine))

@@ -121,9 +121,14 @@ class Feed:
         with self._lock:
             self._users += 1
             if self._users == 1:
-                self._ends = [
-                    feed(hand.tracked, self._process, k) for k, hand in enumerate(self._setup.hands)
-                ]
+                self._ends = self._begun()
+
+    def _begun(self) -> list[Callable[[], None]]:
+        """Begin; returns functions that end it."""
+        hands, live = self._setup.hands, self._setup.live
+        if live is not None and live.pass_on is not None:
+            return [live.pass_on(self._process.open_line(), [hand.side for hand in hands])]
+        return [feed(hand.tracked, self._process.line, k) for k, hand in enumerate(hands)]
 
     def end(self) -> None:
         with self._lock:

@@ -63,7 +63,7 @@ def install(app: QCoreApplication, setting: str, where: Path | None = None) -> s
     catalogue = Catalogue(app)
     catalogue.load(str(where / f"{PREFIX}{code}.qm"))
     app.installTranslator(catalogue)
-    words.use(lambda text: catalogue.translate(CONTEXT, text), QLocale().decimalPoint())
+    words.use(lambda text: catalogue.translate(CONTEXT, text), QLocale().decimalPoint(), code)
     return code
 
 

@@ -38,6 +38,7 @@ from tracker.messages import Tracking
 
 if TYPE_CHECKING:
     from app.window.main_window import MainWindow
+    from app.window.sources import SetupFactory
 
 STARTED = psutil.Process().create_time()
 MB = 1e6
@@ -103,6 +104,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser.add_argument(
         "--drawn", action="store_true", help="render all images before the demo starts"
     )
+    parser.add_argument("--apart", action="store_true", help="track in a process of its own")
     parser.add_argument("--json", type=Path, default=None, help="file for the results")
     add_force(parser)
     args = parser.parse_args(argv)
@@ -118,7 +120,8 @@ def main(argv: Sequence[str] | None = None) -> int:
             figures["cycles"] = asdict(cycle(app, args.cycles, Path(folder)))
         if args.minutes:
             choice = DemoChoice(args.fps, args.hands, lenses=args.lenses)
-            figures["soak"] = asdict(soak(args.minutes, choice, Path(folder), args.drawn))
+            found = soak(args.minutes, choice, Path(folder), args.drawn, args.apart)
+            figures["soak"] = asdict(found)
     text = json.dumps(figures, indent=2)
     print(text)
     if args.json is not None:
@@ -235,14 +238,17 @@ class LoopGaps:
         return round(float(np.percentile(gaps, 99)), 1), round(float(gaps.max()), 1)
 
 
-def soak(minutes: float, choice: DemoChoice, folder: Path, drawn: bool = False) -> Soak:
-    """The demo with everything visible for ``minutes``, then a while without the 3D view."""
+def soak(
+    minutes: float, choice: DemoChoice, folder: Path, drawn: bool = False, apart: bool = False
+) -> Soak:
+    """The demo with everything visible for ``minutes``, then a while without the 3D view.
+    ``apart``: tracked in a process of its own."""
     seconds = 60.0 * minutes + HIDDEN_S + STARTS_WITHIN
-    camera = start_camera(choice=choice, drawn=round(choice.fps * seconds) if drawn else 0)
+    images = round(choice.fps * seconds) if drawn else 0
+    factory = demo_job(choice, apart, images)
     from app.storage.settings import SettingsStore
     from app.window.main_window import MainWindow
     from app.window.pauses import keep_pauses_short
-    from app.window.sources import demo_factory
 
     store = SettingsStore(folder / "window.json")
     store.update(job="all")  # the layout that shows the most panels
@@ -251,10 +257,26 @@ def soak(minutes: float, choice: DemoChoice, folder: Path, drawn: bool = False) 
     keep_pauses_short(window.host)
     window.show()
     try:
-        window.host.open("demo", demo_factory(choice, camera=camera))
+        window.host.open("demo", factory)
         return _watch(window, Soak(minutes, choice.fps))
     finally:
         window.close()
+
+
+def demo_job(choice: DemoChoice, apart: bool, images: int = 0) -> SetupFactory:
+    """Starts the demo's camera, or (``apart``) the process that tracks; returns the job that opens
+    the demo. ``images`` are rendered before."""
+    if not apart:
+        camera = start_camera(choice=choice, drawn=images)
+        from app.window.sources import demo_factory
+
+        return demo_factory(choice, camera=camera)
+    from app.engines.apart.demo import DemoSource
+    from app.engines.apart.process import EngineProcess
+    from app.engines.apart.setup import apart_factory
+
+    source = DemoSource(choice, drawn=images)
+    return apart_factory(source, EngineProcess(source))
 
 
 def _watch(window: MainWindow, out: Soak) -> Soak:
@@ -335,9 +357,16 @@ def _core_seconds() -> dict[str, float]:
     """Processor time (s) so far of this process and of each that it has started, by name."""
     held = {"window": time.process_time()}
     for child in active_children():
-        times = psutil.Process(child.pid).cpu_times()
-        held[child.name] = times.user + times.system
+        process = psutil.Process(child.pid)
+        held[child.name] = _seconds_of(process)
+        for k, other in enumerate(process.children(recursive=True)):
+            held[f"{child.name} {k}"] = _seconds_of(other)
     return held
+
+
+def _seconds_of(process: psutil.Process) -> float:
+    times = process.cpu_times()
+    return float(times.user + times.system)
 
 
 def _lost(window: MainWindow) -> float:

@@ -20,17 +20,17 @@ import tempfile
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 import numpy as np
 from PySide6.QtWidgets import QApplication
 
-from app.engines.demo_camera import DemoChoice, start_camera
+from app.engines.demo_camera import DemoChoice
 from app.platform.process_tuning import tune_process
 from app.tools import stream_readers
-from app.tools.soak import SIZE, START_TIMEOUT, is_tracked
+from app.tools.soak import SIZE, START_TIMEOUT, demo_job, is_tracked
 from tracker.base.files import check_target, write_whole
 from tracker.base.terminal import add_force
 
@@ -43,6 +43,13 @@ SETTLE_S = 2.0  # after switching, before a turn counts
 SWITCH_WAIT = 120.0  # s for all streams to open or close, on a loaded computer
 LOOK_S = 4.0  # the latencies that the engine stores are those of so many seconds
 MEDIAN, HIGH = "latency_imu_ms", "latency_imu_p99_ms"
+
+
+class Processes(NamedTuple):
+    """Whether each has a process of its own."""
+
+    streams: bool
+    tracking: bool
 
 
 @dataclass
@@ -59,7 +66,7 @@ class Cost:
     """``off`` and ``on`` alternate. Quotients of on and off, and their least and largest."""
 
     streams: list[str]
-    apart: bool
+    apart: Processes
     off: list[StreamTurn] = field(default_factory=list)
     on: list[StreamTurn] = field(default_factory=list)
     received: dict[str, int] = field(default_factory=dict)
@@ -86,6 +93,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser.add_argument(
         "--together", action="store_true", help="streams in the window's process, not in their own"
     )
+    parser.add_argument("--apart", action="store_true", help="track in a process of its own")
     parser.add_argument("--streams", default="", help="names with commas (default: all)")
     parser.add_argument("--json", type=Path, default=None, help="file for the results")
     add_force(parser)
@@ -98,7 +106,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     with tempfile.TemporaryDirectory() as folder:
         names = [name for name in args.streams.split(",") if name]
         turns = args.turns, args.seconds
-        cost = measure(turns, args.fps, names, not args.together, Path(folder))
+        processes = Processes(not args.together, args.apart)
+        cost = measure(turns, args.fps, names, processes, Path(folder))
     text = json.dumps(asdict(cost), indent=2)
     print(text)
     if args.json is not None:
@@ -107,16 +116,14 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def measure(
-    turns: tuple[int, float], fps: float, names: Sequence[str], apart: bool, folder: Path
+    turns: tuple[int, float], fps: float, names: Sequence[str], apart: Processes, folder: Path
 ) -> Cost:
     """Opens the demo in the window; ``turns``: their number and length (s); ``names``: the streams,
-    all of them if it is empty; ``apart``: in a process of their own."""
-    choice = DemoChoice(fps)
-    camera = start_camera(choice=choice)
+    all of them if it is empty."""
+    factory = demo_job(DemoChoice(fps), apart.tracking)
     from app.storage.settings import SettingsStore
     from app.window.main_window import MainWindow
     from app.window.pauses import keep_pauses_short
-    from app.window.sources import demo_factory
 
     store = SettingsStore(folder / "window.json")
     store.update(job="all", sessions_folder=str(folder))
@@ -126,8 +133,8 @@ def measure(
     window.show()
     known = [name for name in window.outputs.kinds if name not in NOT_HERE]
     try:
-        window.host.open("demo", demo_factory(choice, camera=camera))
-        window.outputs.apart = apart
+        window.host.open("demo", factory)
+        window.outputs.apart = apart.streams
         return _alternate(window, Cost(list(names) or known, apart), *turns)
     finally:
         window.close()

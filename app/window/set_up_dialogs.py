@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -119,7 +120,7 @@ class SetUpDialogs(QObject):
         """Give the measured gyro biases to the engine, if it estimates them."""
         bias = np.array([i.gyro_bias for i in pose.imus])
         sd = np.array([i.gyro_bias_sd for i in pose.imus])
-        self._host.command(lambda engine: take_gyro_bias(engine, bias, sd))
+        self._host.command(partial(take_gyro_bias, bias=bias, sd=sd))
 
     # --- camera
 

@@ -16,6 +16,10 @@ from PySide6.QtCore import QEvent, QMimeData, QObject, Qt, Signal
 from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from app.engines.apart.demo import DemoSource
+from app.engines.apart.process import EngineProcess
+from app.engines.apart.setup import apart_factory
+from app.engines.apart.source import DeviceSource
 from app.engines.demo_camera import DemoChoice
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost, SetupFactory
@@ -98,6 +102,8 @@ class Sources(QObject):
         super().__init__(window)
         self._host, self._store, self._messages, self._window = host, store, messages, window
         self.baud: int | None = None  # of the glove's line in this run; None: as the settings say
+        self.apart = False
+        """Whether demo and devices are tracked in a process of their own."""
         self.looking_for_devices = False
         self._live: Callable[[], None] | None = None
         self.plugged = PlugWatch(host, store, self)
@@ -105,11 +111,20 @@ class Sources(QObject):
         host.opened.connect(self._choose_engine)
         host.closed.connect(self.plugged.rest)
 
-    def open_demo(self, choice: DemoChoice | None = None, camera: DemoCamera | None = None) -> None:
+    def open_demo(
+        self,
+        choice: DemoChoice | None = None,
+        camera: DemoCamera | None = None,
+        process: EngineProcess | None = None,
+    ) -> None:
+        """``camera``, or the ``process`` that tracks, may have been started already."""
+
         def begun() -> None:
             self._live = partial(self.open_demo, choice)
 
         factory = demo_factory(choice, camera=camera)
+        if self.apart:
+            factory = apart_factory(DemoSource(choice or DemoChoice()), process)
         self._open(Opening(self.tr("The demo"), self.tr("Starting the demo"), factory), begun)
 
     def open_devices(self) -> None:
@@ -119,7 +134,10 @@ class Sources(QObject):
             settings = replace(settings, baud=self.baud)
         title = self.tr("Looking for glove and camera")
         name = self.tr("The search for glove and camera")
-        self._open(Opening(name, title, hardware_factory(settings)), self._devices_begun)
+        factory = hardware_factory(settings)
+        if self.apart:
+            factory = apart_factory(DeviceSource(settings))
+        self._open(Opening(name, title, factory), self._devices_begun)
 
     def _devices_begun(self) -> None:
         self.looking_for_devices = True
@@ -185,6 +203,12 @@ class Sources(QObject):
             setup.live.engine.set_engine(self._store.value.engine)
         elif setup.missing:
             self.tell_of_devices(setup.missing)
+
+    def toggle_apart(self) -> None:
+        """Track in a process of its own, or in the window's, from the next start of tracking on."""
+        self._store.update(own_process=not self._store.value.own_process)
+        self.apart = self._store.value.own_process
+        self.reopen()
 
     def toggle_both_hands(self) -> None:
         """Expect the other hand's glove, or do not, when devices are opened next."""

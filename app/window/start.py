@@ -12,6 +12,8 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication, QWidget
 
+from app.engines.apart.demo import DemoSource
+from app.engines.apart.process import EngineProcess
 from app.engines.demo_camera import DemoChoice, start_camera
 from app.panels.command_kind import CommandContext
 from app.platform.compiling import compile_before_start
@@ -147,11 +149,13 @@ def _show(
     instance: Instance,
     then: Then | None,
 ) -> int:
-    camera = start_camera(choice=_demo(options)) if options.demo else None
+    apart = store.value.own_process
+    camera = start_camera(choice=_demo(options)) if options.demo and not apart else None
+    process = EngineProcess(DemoSource(_demo(options))) if options.demo and apart else None
     from app.window.main_window import MainWindow  # deferred: after the camera has started
 
     window = MainWindow(store, crashes)
-    window.outputs.apart = True
+    window.outputs.apart, window.sources.apart = True, apart
     instance.asked.connect(window.sources.take_over)
     close_on_signals(window)
     keep_pauses_short(window.host)
@@ -165,7 +169,7 @@ def _show(
     if options.demo:
         if _demo(options).uses_application:  # once the layout of watching is there
             window.host.opened.connect(lambda _setup: window.show_panel("applications"), SingleShot)
-        window.sources.open_demo(_demo(options), camera)
+        window.sources.open_demo(_demo(options), camera, process)
     elif options.session is not None:
         window.sources.open_session(options.session, options.at)
     elif options.devices:

@@ -161,6 +161,14 @@ def _tracking(on: Targets) -> list[MenuCommand]:
         ),
         MenuCommand("pose_reset_setup", menu, w.tr("Pose reset sett&ings…"), w.set_up_pose_reset),
         *_engines(on, menu),
+        MenuCommand(
+            "own_process",
+            menu,
+            w.tr("Track in a separate pro&cess"),
+            on.sources.toggle_apart,
+            separator=True,
+            ticked=lambda: w.store.value.own_process,
+        ),
     ]
 
 

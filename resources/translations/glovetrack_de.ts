@@ -33,6 +33,11 @@
       <translation>Das Tracking wurde beendet. {} Starten Sie es neu.</translation>
     </message>
     <message>
+      <location filename="app/engines/engine_host.py" />
+      <source>Tracking has stopped. {} It starts again.</source>
+      <translation>Das Tracking wurde beendet. {} Es startet erneut.</translation>
+    </message>
+    <message>
       <location filename="app/engines/found_gloves.py" />
       <source>left</source>
       <translation>linken</translation>
@@ -6131,6 +6136,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
+      <source>Track in a separate pro&amp;cess</source>
+      <translation>Tracking in eigenem Pro&amp;zess</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
       <source>Return to li&amp;ve tracking</source>
       <translation>Zurück zum Li&amp;ve-Tracking</translation>
     </message>
@@ -10913,6 +10923,16 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>There is no finger estimator "{name}". Available: {known:list}.</source>
       <translation>Es gibt keinen Fingerschätzer „{name}“. Vorhanden: {known:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The process that tracks has ended.</source>
+      <translation>Der Tracking-Prozess wurde beendet.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The process that tracks does not answer.</source>
+      <translation>Der Tracking-Prozess antwortet nicht.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />

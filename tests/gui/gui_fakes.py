@@ -12,6 +12,7 @@ import numpy as np
 
 from app.engines.engine import CameraPart, EngineSetup, LivePart
 from app.engines.protocols import ReferenceHand
+from app.engines.recording import PausableRecorder
 from resources import folder
 from tracker.glove.files import parse_glove
 from tracker.hand.files import parse_hand
@@ -220,7 +221,7 @@ class ScriptedEngine:
 
     # --- the hand's commands
 
-    def command(self, work) -> None:
+    def command(self, work, answer=None) -> None:
         self.commands.append("command")
 
     def place(self, pose: object) -> None: ...
@@ -236,6 +237,9 @@ class ScriptedEngine:
 
     def follow(self, follower) -> None:
         self.commands.append("follow")
+
+    def subscribe(self, subscriber):
+        return lambda: None
 
     def record(self, message) -> None:
         self.commands.append("record")
@@ -344,7 +348,7 @@ def scripted_setup(engine: ScriptedEngine, recorders: list | None = None) -> Eng
 
     def make_recorder(request):
         made.append(MemoryRecorder(request.path))
-        return made[-1]
+        return PausableRecorder(made[-1])
 
     return EngineSetup(
         name="scripted",

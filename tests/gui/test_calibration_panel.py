@@ -39,9 +39,11 @@ class Commanded(ScriptedEngine):
     def calibration(self):
         return self.inner.calibration()
 
-    def command(self, work) -> None:
+    def command(self, work, answer=None) -> None:
         try:
-            work(self.inner)
+            result = work(self.inner)
+            if answer is not None:
+                answer(result)
         except GlovetrackError as error:
             self.events.append(Event(0.0, "error", str(error)))
 

@@ -53,9 +53,11 @@ class Posed(ScriptedEngine):
             angle_state=sensed,
         )
 
-    def command(self, work) -> None:
+    def command(self, work, answer=None) -> None:
         try:
-            work(self.inner)
+            result = work(self.inner)
+            if answer is not None:
+                answer(result)
         except GlovetrackError as error:
             self.events.append(Event(0.0, "error", str(error)))
 

@@ -10,7 +10,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QInputDialog
 
 from app.engines.protocols import RecordingRequest
-from app.engines.recording import PausableRecorder, Recording
+from app.engines.recording import Recording
 from app.storage.settings import SettingsStore
 from app.viewmodels.recording import (
     LOW_BYTES,
@@ -92,9 +92,7 @@ def test_a_recording_on_a_full_disk_ends_and_the_next_one_may_begin(recording, e
 
 def test_pause_suspends_streams_and_keeps_notes(engine, tmp_path, recorders):
     setup = scripted_setup(engine, recorders)
-    recorder = PausableRecorder(
-        setup.live.make_recorder(RecordingRequest(tmp_path / "a.mcap", "", ""))
-    )
+    recorder = setup.live.make_recorder(RecordingRequest(tmp_path / "a.mcap", "", ""))
     recorder.write(engine.latest_estimate())
     recorder.paused = True
     recorder.write(engine.latest_estimate())

@@ -10,13 +10,13 @@ import time
 
 import pytest
 
-from app.tools.stream_cost import Cost, StreamTurn, _free_ports
+from app.tools.stream_cost import Cost, Processes, StreamTurn, _free_ports
 from app.tools.stream_readers import DATAGRAMS
 from tracker.streaming.registry import stream_kinds
 
 
 def test_quotients_are_medians_over_the_pairs_of_turns() -> None:
-    cost = Cost(["udp"], True)
+    cost = Cost(["udp"], Processes(True, False))
     cost.off = [StreamTurn(1.0, 10.0), StreamTurn(2.0, 10.0), StreamTurn(4.0, 40.0)]
     cost.on = [StreamTurn(1.1, 11.0), StreamTurn(2.0, 30.0), StreamTurn(6.0, 42.0)]
     cost.conclude()

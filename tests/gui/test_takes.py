@@ -13,7 +13,7 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QInputDialog
 
 from app.engines.protocols import RecordingRequest
-from app.engines.recording import recorder_maker
+from app.engines.recording import PausableRecorder, recorder_maker
 from app.engines.replay.engine import open_replay
 from app.jobs.recording_check import check_job
 from app.viewmodels.library import quality_text
@@ -339,7 +339,8 @@ class Copying:
 def recorded(window, take, qtbot):
     """The window after a recording, which has been checked."""
     setup = with_live(
-        scripted_setup(ScriptedEngine()), make_recorder=lambda r: Copying(r.path, take)
+        scripted_setup(ScriptedEngine()),
+        make_recorder=lambda r: PausableRecorder(Copying(r.path, take)),
     )
     window.host.adopt(setup)
     window.recording.participant.setText("P07")

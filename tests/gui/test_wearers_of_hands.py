@@ -28,8 +28,10 @@ class Worn(ScriptedEngine):
     def calibration(self):
         return self.inner.calibration()
 
-    def command(self, work) -> None:
-        work(self.inner)
+    def command(self, work, answer=None) -> None:
+        result = work(self.inner)
+        if answer is not None:
+            answer(result)
 
     def learn(self, scale: float) -> None:
         profile = self.inner.profile()

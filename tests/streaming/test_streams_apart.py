@@ -59,7 +59,7 @@ def test_messages_are_those_of_the_window_s_own_process(
     stream = process.open("udp", udp(receiver.getsockname()[1]), [named])
     reports: list[Notice] = []
     stream.start(reports.append)
-    feed = ApartFeed(process, 0)
+    feed = ApartFeed(process.line, 0)
     estimates = [make_estimate(t=0.01 * k, angles={"index_pip_flexion": 0.1 * k}) for k in range(4)]
     gestures = named.recogniser()
     for number, estimate in zip((7, 8, 11, 12), estimates, strict=True):  # two are missing
@@ -98,7 +98,7 @@ def test_a_process_that_hangs_does_not_delay_the_engine(
     """The newest estimates arrive once it runs again, numbered as they were offered."""
     stream = process.open("udp", udp(receiver.getsockname()[1]), [named])
     stream.start(lambda _: None)
-    direct = DirectFeed(process, 0)
+    direct = DirectFeed(process.line, 0)
     direct(make_estimate())
     assert json.loads(receiver.recv(65536))["seq"] == 0
     os.kill(process.pid, signal.SIGSTOP)
@@ -127,7 +127,7 @@ def test_each_hand_has_its_own_estimates(
     stream = process.open("udp", udp(receiver.getsockname()[1]), [left, named])
     stream.start(lambda _: None)
     for k in (1, 0):
-        process.send(k, replace(make_estimate(t=1.0 + k), seq=3))
+        process.line.send(k, replace(make_estimate(t=1.0 + k), seq=3))
     got = [json.loads(receiver.recv(65536)) for _ in range(2)]
     assert {(m["side"], m["t"], m["seq"]) for m in got} == {("right", 2.0, 0), ("left", 1.0, 0)}
     stream.close()
@@ -154,7 +154,7 @@ def test_the_clients_of_a_server_are_known(
     assert stream.test().code == "stream.test_no_client"
     with client.connect(f"ws://{LOOPBACK}:{port}/") as connection:
         wait_for(lambda: stream.counts()[0].clients == 1)
-        process.send(0, replace(make_estimate(t=0.5), seq=0))
+        process.line.send(0, replace(make_estimate(t=0.5), seq=0))
         assert json.loads(connection.recv(30))["t"] == 0.5
         assert stream.test().code == "stream.test_clients"
     stream.close()
@@ -169,7 +169,7 @@ def test_a_process_that_was_killed_is_reported(
     os.kill(process.pid, signal.SIGTERM)
     wait_for(lambda: process.ended)
     with raises(StreamError, "stream.process_ended"):
-        process.send(0, make_estimate())
+        process.line.send(0, make_estimate())
     with raises(StreamError, "stream.process_ended"):
         process.open("udp", udp(9), [named])
     assert stream.counts()[0].error

@@ -10,6 +10,7 @@ A recording and a reference engine bring a thread each (`recording`, `reference`
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from typing import TypeVar
 
 from tracker.base.clock import monotonic
 from tracker.base.notices import Notice
@@ -45,6 +46,7 @@ from tracker.session.description import MAIN
 from tracker.vision.colours import ColourProfile
 from tracker.vision.detector import Detector
 
+T = TypeVar("T")
 STOPPING = 1.5  # s to wait for threads and devices; a driver may hang forever
 PATIENCE = 0.3  # s to wait for the end of a recording
 WAIT = 0.05  # s between checks whether the engine thread should end
@@ -214,12 +216,21 @@ class HandOfTracker:
         self._tracker, self._loop, self._inbox, self.side = tracker, loop, inbox, side
         self._hand = loop.seen[side]
 
-    def command(self, work: Callable[[Engine], None]) -> None:
+    def command(
+        self, work: Callable[[Engine], T], answer: Callable[[T], None] | None = None
+    ) -> None:
         """Calls ``work`` with the hand's engine, in the engine thread, between two messages.
 
-        A GlovetrackError that it raises is reported as an event.
+        ``answer`` is called there with the result. A GlovetrackError that it raises is reported as
+        an event.
         """
-        self._inbox.put(EngineCommand(work, self.side))
+
+        def answered(engine: Engine) -> None:
+            result = work(engine)
+            if answer is not None:
+                answer(result)
+
+        self._inbox.put(EngineCommand(answered, self.side))
 
     def follow(self, follower: Follower | None) -> None:
         """Passes each estimate to ``follower`` from now on; None ends it."""

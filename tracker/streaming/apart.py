@@ -12,7 +12,6 @@ from __future__ import annotations
 import contextlib
 import itertools
 import logging
-import pickle
 import select
 import sys
 import threading
@@ -20,6 +19,9 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 from concurrent.futures import TimeoutError as FutureTimeout
+from multiprocessing import Pipe
+from multiprocessing.connection import Connection
+from multiprocessing.reduction import ForkingPickler
 from typing import Any
 
 from tracker.base.child import start_child
@@ -43,15 +45,52 @@ def _has_ended() -> StreamError:
     return StreamError(failure("stream.process_ended"))
 
 
+class EstimateLine:
+    """A pipe to the process, for estimates (see `StreamsProcess.open_line`) and requests. Methods
+    may be called from any thread."""
+
+    def __init__(self, pipe: Connection) -> None:
+        self._pipe, self._sending = pipe, threading.Lock()
+        if sys.platform == "linux":
+            self._room = select.poll()
+            self._room.register(pipe.fileno(), select.POLLOUT)
+
+    def send(self, hand: int, estimate: Estimate) -> None:
+        """Passes on an estimate; may wait until the process accepts it. Raises StreamError."""
+        self.write(packed(hand, estimate, estimate.seq))
+
+    def write(self, data: bytes | memoryview) -> None:
+        """Sends bytes; may wait. Raises StreamError."""
+        with self._sending:
+            try:
+                self._pipe.send_bytes(data)
+            except (OSError, ValueError) as error:
+                raise _has_ended() from error
+
+    def offer(self, data: bytes) -> bool:
+        """Sends a packed estimate unless that would wait; returns whether it was sent. Linux."""
+        if not self._sending.acquire(blocking=False):
+            return False
+        try:
+            if not self._room.poll(0):  # otherwise a quarter of the buffer is used
+                return False
+            self._pipe.send_bytes(data)
+        except (OSError, ValueError):  # the counts report that it has ended
+            return False
+        finally:
+            self._sending.release()
+        return True
+
+    def close(self) -> None:
+        self._pipe.close()
+
+
 class StreamsProcess:
     """The process; methods may be called from any thread. `feed` never waits for it."""
 
     def __init__(self) -> None:
         self._pipe, self._process = start_child("glovetrack-streams", serve)
-        self._sending = threading.Lock()
-        if sys.platform == "linux":
-            self._room = select.poll()
-            self._room.register(self._pipe.fileno(), select.POLLOUT)
+        self.line = EstimateLine(self._pipe)
         self._numbers, self._keys = itertools.count(1), itertools.count(1)
         self._waiting: dict[int, Future[Any]] = {}
         self._counts: dict[int, tuple[StreamCounts, ...]] = {}
@@ -71,23 +110,15 @@ class StreamsProcess:
         titles = self.ask("open", key, (kind, options, tuple(hands)), START_WAIT)
         return ApartStream(self, key, titles)
 
-    def send(self, hand: int, estimate: Estimate) -> None:
-        """Passes on an estimate; may wait until the process accepts it. Raises StreamError."""
-        self._write(packed(hand, estimate, estimate.seq))
-
-    def offer(self, data: bytes) -> bool:
-        """Sends a packed estimate unless that would wait; returns whether it was sent. Linux."""
-        if not self._sending.acquire(blocking=False):
-            return False
+    def open_line(self) -> Connection:
+        """Returns the end of a pipe for the estimates of another process (`EstimateLine`), which do
+        not pass through this one. Raises StreamError."""
+        theirs, ours = Pipe(duplex=False)
         try:
-            if self.ended or not self._room.poll(0):  # otherwise a quarter of the buffer is used
-                return False
-            self._pipe.send_bytes(data)
-        except (OSError, ValueError):  # the counts report that it has ended
-            return False
+            self.ask("read", 0, theirs, START_WAIT)
         finally:
-            self._sending.release()
-        return True
+            theirs.close()
+        return ours
 
     def ask(self, do: str, key: int, data: Any = None, wait: float = ANSWER_WAIT) -> Any:
         """Sends a request and returns the answer. Raises StreamError."""
@@ -130,16 +161,9 @@ class StreamsProcess:
         self._thread.join()
 
     def _send(self, item: object) -> None:
-        self._write(pickle.dumps(item))
-
-    def _write(self, data: bytes) -> None:
-        with self._sending:
-            if self.ended:
-                raise _has_ended()
-            try:
-                self._pipe.send_bytes(data)
-            except (OSError, ValueError) as error:
-                raise _has_ended() from error
+        if self.ended:
+            raise _has_ended()
+        self.line.write(ForkingPickler.dumps(item))  # also a pipe
 
     def _read(self) -> None:
         try:
@@ -205,34 +229,34 @@ class DirectFeed:
     its time than waking another one up. Never waits: those that the process does not accept yet are
     sent with the next one, and the oldest of more than `BACKLOG` are discarded."""
 
-    def __init__(self, process: StreamsProcess, hand: int) -> None:
-        self._process, self._hand = process, hand
+    def __init__(self, line: EstimateLine, hand: int) -> None:
+        self._line, self._hand = line, hand
         self._numbers = itertools.count()
         self._waiting: deque[bytes] = deque(maxlen=BACKLOG)
 
     def __call__(self, estimate: Estimate) -> None:
         self._waiting.append(packed(self._hand, estimate, next(self._numbers)))
-        while self._waiting and self._process.offer(self._waiting[0]):
+        while self._waiting and self._line.offer(self._waiting[0]):
             self._waiting.popleft()
 
 
 class ApartFeed:
     """A publisher that passes a hand's estimates to the process."""
 
-    def __init__(self, process: StreamsProcess, hand: int) -> None:
+    def __init__(self, line: EstimateLine, hand: int) -> None:
         self.name = f"streams of hand {hand}"
-        self._process, self._hand = process, hand
+        self._line, self._hand = line, hand
 
     def send(self, estimate: Estimate) -> None:
-        self._process.send(self._hand, estimate)
+        self._line.send(self._hand, estimate)
 
     def close(self) -> None: ...
 
 
 def feed(
-    tracker: HasEstimate | PublishesEstimates, process: StreamsProcess, hand: int
+    tracker: HasEstimate | PublishesEstimates, line: EstimateLine, hand: int
 ) -> Callable[[], None]:
     """Passes a tracker's estimates to the process from now on; the returned function ends it."""
     if sys.platform == "linux" and isinstance(tracker, PublishesEstimates):
-        return tracker.subscribe(DirectFeed(process, hand))
-    return attach(tracker, [ApartFeed(process, hand)]).close
+        return tracker.subscribe(DirectFeed(line, hand))
+    return attach(tracker, [ApartFeed(line, hand)]).close

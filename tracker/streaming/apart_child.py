@@ -108,7 +108,13 @@ class _Desk:
             stream.close()
 
     def _answer(self, asked: Asked) -> None:
-        do = {"open": self._make, "start": self._start, "test": self._test, "close": self._end}
+        do = {
+            "open": self._make,
+            "start": self._start,
+            "test": self._test,
+            "close": self._end,
+            "read": self._read,
+        }
         try:
             result = do[asked.do](asked.key, asked.data)
         except Exception as error:  # noqa: BLE001 - reported to the window
@@ -132,6 +138,20 @@ class _Desk:
                 known = self._hands.setdefault(key, names.sharing())
                 out.append(replace(names, shared=known.shared))
         return out
+
+    def _read(self, _key: int, line: Connection) -> None:
+        """Estimates arrive by ``line``, too, from now on."""
+        reader = threading.Thread(
+            target=self._feed_from, args=(line,), name="glovetrack-line", daemon=True
+        )
+        reader.start()
+
+    def _feed_from(self, line: Connection) -> None:
+        try:
+            while True:
+                self.feed(*unpacked(line.recv_bytes()))
+        except (EOFError, OSError):
+            line.close()
 
     def _start(self, key: int, _data: Any) -> None:
         stream = self._open[key]

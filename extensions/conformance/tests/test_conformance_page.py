@@ -10,6 +10,7 @@ import pytest
 from PySide6.QtCore import QObject, Qt, QUrl, Slot
 from PySide6.QtGui import QDesktopServices
 
+from app.engines.recording import PausableRecorder
 from app.viewmodels.guided_hand import DRAWN, DrawnHand
 from extensions.conformance.run import WARM_UP, cues
 from extensions.conformance.take import BEAT, BEATS, GRASPS, SCRIPT
@@ -88,7 +89,8 @@ def recorder_of(clock: Clock):
             rig=simulation().rig, participant=request.participant, notes=request.task,
             simulated=True,
         )  # fmt: skip
-        return SessionRecorder(request.path, info, RecorderParams(images="none", sync=False))
+        params = RecorderParams(images="none", sync=False)
+        return PausableRecorder(SessionRecorder(request.path, info, params))
 
     return make
 

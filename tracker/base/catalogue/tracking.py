@@ -69,6 +69,8 @@ TEXTS = {
     ),
     "engine.no_wearer": "This engine does not use a wearer's profile. Choose the engine chain.",
     "engine.finger_estimator": 'There is no finger estimator "{name}". Available: {known:list}.',
+    "engine.process_ended": "The process that tracks has ended.",
+    "engine.process_silent": "The process that tracks does not answer.",
     "engine.changed": "The engine is now {engine}.",
     "load.view_slower": "System overloaded: 3D view frame rate reduced.",
     "load.no_overlays": "System overloaded: camera images are shown without overlays.",

@@ -1,0 +1,357 @@
+"""The process that tracks: it owns the devices, the engine and the recorder.
+
+It ends when the window asks for that or has ended; a recording is finished first.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import logging
+import os
+import queue
+import signal
+import sys
+import threading
+import time
+from collections.abc import Callable, Sequence
+from functools import partial
+from multiprocessing.connection import Connection
+from typing import Any
+
+from PySide6.QtCore import QCoreApplication
+
+from app.engines.apart.messages import (
+    Answered,
+    Asked,
+    Estimated,
+    HandFacts,
+    Logged,
+    Opened,
+    Progressed,
+    Received,
+    Taken,
+)
+from app.engines.apart.news import Newsroom
+from app.engines.apart.source import Source
+from app.engines.engine import Built, EngineSetup
+from app.engines.protocols import RecordingRequest
+from app.platform.process_tuning import freeze_permanent_objects, tune_process
+from app.platform.tasks import JobProgress
+from app.platform.translation import install
+from tracker.base.errors import GlovetrackError, notice_of
+from tracker.base.shared_memory import NoSharedMemory
+from tracker.base.urgency import run_first
+from tracker.fusion.engine import Engine
+from tracker.messages import Estimate
+from tracker.streaming.apart import EstimateLine, feed
+from tracker.vision.colours import ColourProfile
+
+_log = logging.getLogger(__name__)
+IGNORED = ("SIGINT", "SIGHUP")
+"""Signals of a terminal to all its processes: the window asks for the end."""
+
+LOOK_EVERY = 0.5  # s between checks whether to end
+SHORTEST = 0.01  # s, between messages to the window
+SETTLED = 3.0  # s after the start of tracking; then all modules and objects that it needs exist
+END = "end"
+"""A request to end."""
+
+LONGEST_CLOSING = 100.0  # s, for a slow disk; a device that hangs must not keep the process alive
+
+
+def serve(pipe: Connection, source: Source, language: str) -> None:
+    """Runs until the window ends it."""
+    for name in IGNORED:
+        if hasattr(signal, name):
+            signal.signal(getattr(signal, name), signal.SIG_IGN)
+    run_first()
+    tune_process()
+    install(QCoreApplication(sys.argv[:1]), language)
+    line = Line(pipe)
+    logging.getLogger().addHandler(LogToWindow(line))
+    run(line, source)
+
+
+def run(line: Line, source: Source) -> None:
+    """Builds the engine and carries out requests until the window ends it."""
+    try:
+        built = source.build(JobProgress(lambda part, text: line.send(Progressed(part, text))))
+    except Exception as error:  # noqa: BLE001 - the window reports whatever it is
+        line.send(Answered(0, error=portable(error)))
+        return
+    desk = Desk(built, line)
+    try:
+        desk.run()
+    finally:
+        desk.close()
+
+
+def _end_later() -> None:
+    time.sleep(LONGEST_CLOSING)
+    os._exit(1)
+
+
+class Line:
+    """Sends messages from any thread; nothing once the window is gone."""
+
+    def __init__(self, pipe: Connection) -> None:
+        self._pipe, self._sending = pipe, threading.Lock()
+
+    def send(self, message: object) -> None:
+        with self._sending, contextlib.suppress(OSError, ValueError):  # noticed on reading
+            self._pipe.send(message)
+
+    def send_estimate(self, item: Estimated) -> None:
+        """As `send`, in a tenth of the time."""
+        data = item.packed()
+        with self._sending, contextlib.suppress(OSError, ValueError):
+            self._pipe.send_bytes(data)
+
+    def receive(self) -> Any:
+        """Waits for a message. Raises EOFError or OSError when the window has ended."""
+        return self._pipe.recv()
+
+
+class LogToWindow(logging.Handler):
+    """Passes the log on to the window's."""
+
+    def __init__(self, line: Line) -> None:
+        super().__init__(logging.WARNING)
+        self._line = line
+
+    def emit(self, record: logging.LogRecord) -> None:
+        self._line.send(Logged(record.name, record.levelno, self.format(record)))
+
+
+def portable(error: Exception) -> Exception:
+    """An error that can be sent: one of ours or of the system unchanged, another one as text."""
+    if isinstance(error, GlovetrackError | OSError):
+        return error
+    _log.error("A request to the engine failed", exc_info=error)
+    return GlovetrackError(notice_of(error))
+
+
+def facts_of(setup: EngineSetup) -> HandFacts:
+    """What the window receives of a hand once."""
+    camera, connection = setup.camera, setup.connection
+    return HandFacts(
+        setup.name,
+        setup.hand,
+        setup.glove,
+        camera.without_devices(),
+        connection.without_device(),
+        setup.profile,
+        connection.device.report() if connection.device is not None else None,
+        camera.controls is not None,
+        camera.device.fps if camera.device is not None else None,
+        setup.simulated,
+        setup.application,
+        setup.missing,
+        setup.anchor,
+    )
+
+
+class Desk:
+    """Carries out requests. Those that may wait have threads of their own, the others one."""
+
+    def __init__(self, built: Built, line: Line) -> None:
+        self._setup, self._line = built.setup, line
+        self._room = Newsroom(built.setup)
+        self._ended, self._taken = threading.Event(), threading.Event()
+        self._pause = 0.0
+        self._reporter = threading.Thread(target=self._report, name="glovetrack-news", daemon=True)
+        self._arrival: dict[int, tuple[float, float]] = {}  # of the last estimate, by hand
+        self._requests: queue.SimpleQueue[Asked | None] = queue.SimpleQueue()
+        self._targets: dict[str, object] = {"engine": _EngineTarget(self._setup, self._room)}
+        self._targets["files"] = _Files(self._setup, self._room)
+        self._targets["streams"] = self._streams = _Streams(self._setup)
+        if built.send is not None:
+            self._targets["wearer"] = _Wearer(built.send)
+        if self._setup.camera.controls is not None:
+            self._targets["controls"] = self._setup.camera.controls
+        for number, hand in enumerate(self._setup.hands):
+            self._add_hand(number, hand)
+        line.send(Opened(tuple(facts_of(hand) for hand in self._setup.hands), built.begins))
+
+    def _add_hand(self, number: int, setup: EngineSetup) -> None:
+        if setup.live is None:
+            return
+        self._targets[f"hand {setup.side}"] = setup.live.hand
+        if setup.connection.device is not None:
+            self._targets[f"glove {setup.side}"] = setup.connection.device
+        setup.live.hand.follow(partial(self._follow, number))
+        setup.live.hand.subscribe(partial(self._pass_on, number))
+
+    def _follow(self, number: int, estimate: Estimate, t_arrival: float) -> None:
+        """Called before `_pass_on` unless there is no packet or image behind the estimate."""
+        self._arrival[number] = estimate.t, t_arrival
+
+    def _pass_on(self, number: int, estimate: Estimate) -> None:
+        t, t_arrival = self._arrival.get(number, (float("nan"), 0.0))
+        arrival = t_arrival if t == estimate.t else None
+        self._line.send_estimate(Estimated(number, estimate, arrival))
+
+    def run(self) -> None:
+        """Returns when the window asks for the end, or has ended."""
+        threading.Thread(target=self._work, name="glovetrack-requests", daemon=True).start()
+        self._reporter.start()
+        try:
+            while True:
+                message = self._line.receive()
+                if message == END:
+                    return
+                if isinstance(message, Taken):
+                    self._pause = message.pause
+                    self._taken.set()
+                elif message.urgent:
+                    self._answer(message)
+                elif message.waits:
+                    threading.Thread(target=self._answer, args=(message,), daemon=True).start()
+                else:
+                    self._requests.put(message)
+        except (EOFError, OSError):
+            return
+
+    def close(self) -> None:
+        """Stop tracking, finish a recording, free the devices; at most `LONGEST_CLOSING`."""
+        threading.Thread(target=_end_later, name="glovetrack-end", daemon=True).start()
+        self._ended.set()
+        self._requests.put(None)
+        self._reporter.join()
+        self._streams.end()
+        self._setup.engine.stop()
+        self._send_news()  # whether files are complete
+        self._setup.close()
+        self._room.pixels.close()
+
+    def _work(self) -> None:
+        while (asked := self._requests.get()) is not None:
+            self._answer(asked)
+
+    def _answer(self, asked: Asked) -> None:
+        try:
+            target = self._targets[asked.target]
+            if asked.method == "command":
+                self._command(asked)
+                return
+            result = getattr(target, asked.method)(*asked.args, **asked.kwargs)
+        except Exception as error:  # noqa: BLE001 - raised in the window, or logged there
+            if asked.number:
+                self._line.send(Answered(asked.number, error=portable(error)))
+            else:
+                _log.exception("%s of %s failed", asked.method, asked.target)
+            return
+        if asked.number:
+            self._line.send(Answered(asked.number, result))
+
+    def _command(self, asked: Asked) -> None:
+        """A command to an engine is answered when its thread has carried it out."""
+        side = asked.target.removeprefix("hand ")
+        live = self._setup.seen_from(side).live
+        assert live is not None
+        work: Callable[[Engine], object] = asked.args[0]
+        live.hand.command(work, lambda result: self._line.send(Answered(asked.number, result)))
+
+    def _report(self) -> None:
+        """Send what is new whenever the window has taken what was sent before."""
+        settling = SETTLED
+        while not self._ended.is_set():
+            if not self._taken.wait(LOOK_EVERY):
+                continue
+            self._taken.clear()
+            if self._ended.wait(self._pause):
+                return
+            self._send_news()
+            if settling > 0 and self._setup.tracked.latest_estimate() is not None:
+                settling -= max(self._pause, SHORTEST)
+                if settling <= 0:
+                    freeze_permanent_objects()
+
+    def _send_news(self) -> None:
+        try:
+            news, memory = self._room.news()
+        except NoSharedMemory as error:
+            _log.warning("%s", error)
+            self._taken.set()
+            return
+        self._line.send(Received(news, memory))
+
+
+class _EngineTarget:
+    """Requests to the engine of all hands."""
+
+    def __init__(self, setup: EngineSetup, room: Newsroom) -> None:
+        assert setup.live is not None
+        self._engine, self._room = setup.live.engine, room
+        self.start, self.stop, self.note = self._engine.start, self._engine.stop, self._engine.note
+        self.set_engine, self.keep_state = self._engine.set_engine, self._engine.keep_state
+
+    def set_profile(self, profile: ColourProfile) -> None:
+        self._engine.set_profile(profile)
+        self._room.profiles += 1
+
+    def record_into(self, key: int) -> None:
+        """Record into the file of `_Files.open`; 0: end the recording."""
+        self._engine.set_recorder(self._room.files[key] if key else None)
+
+
+class _Files:
+    """Recordings, by the numbers that the window gives them."""
+
+    def __init__(self, setup: EngineSetup, room: Newsroom) -> None:
+        self._setup, self._room = setup, room
+
+    def open(self, side: str, key: int, request: RecordingRequest) -> None:
+        """Begin a file. Raises GlovetrackError or OSError."""
+        live = self._setup.seen_from(side).live
+        assert live is not None
+        self._room.files = {**self._room.files, key: live.make_recorder(request)}
+
+    def pause(self, key: int, on: bool) -> None:
+        self._room.files[key].paused = on
+
+    def write(self, key: int, *args: Any) -> bool:
+        return self._room.files[key].write(*args)
+
+    def flush(self, key: int) -> None:
+        self._room.files[key].flush()
+
+    def close(self, key: int) -> None:
+        self._room.files[key].close()
+
+    def forget(self, key: int) -> None:
+        self._room.files = {k: file for k, file in self._room.files.items() if k != key}
+
+
+class _Streams:
+    """Passes estimates to the process of the streams."""
+
+    def __init__(self, setup: EngineSetup) -> None:
+        self._setup = setup
+        self._changing = threading.Lock()
+        self._line: EstimateLine | None = None
+        self._ends: list[Callable[[], None]] = []
+
+    def begin(self, line: Connection, sides: Sequence[str]) -> None:
+        self.end()
+        with self._changing:
+            self._line = EstimateLine(line)
+            self._ends = [
+                feed(self._setup.seen_from(side).tracked, self._line, k)
+                for k, side in enumerate(sides)
+            ]
+
+    def end(self) -> None:
+        with self._changing:
+            for end in self._ends:
+                end()
+            if self._line is not None:
+                self._line.close()
+            self._line, self._ends = None, []
+
+
+class _Wearer:
+    """A simulated wearer."""
+
+    def __init__(self, send: Callable[..., None]) -> None:
+        self.send = send

@@ -1,0 +1,152 @@
+"""A hand that another process tracks, as the window sees it."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from dataclasses import replace
+from typing import TypeVar
+
+from app.engines.apart.messages import Estimated, HandNews
+from app.engines.apart.process import EngineProcess
+from tracker.base.clock import monotonic
+from tracker.fusion.engine import Engine
+from tracker.live.frame_results import MOST_SHOWN, ShownFrame
+from tracker.live.hand import Follower, Subscriber
+from tracker.live.history import History, SearchedImage
+from tracker.live.listeners import Listeners
+from tracker.live.right_of_way import RightOfWay
+from tracker.live.telemetry import Telemetry
+from tracker.messages import (
+    Calibration,
+    Estimate,
+    ImuSample,
+    Message,
+    Status,
+    StereoFrame,
+    Tracking,
+    WristPose,
+)
+
+T = TypeVar("T")
+
+
+class ApartHand:
+    """`TrackedHand` and `CommandedHand`. Written by the thread that reads the news, read by any.
+
+    ``listeners`` and what follows the hand run in the window's process.
+    """
+
+    def __init__(self, process: EngineProcess, side: str, listeners: Listeners) -> None:
+        self._process, self._target = process, f"hand {side}"
+        self.listeners, self.telemetry = listeners, Telemetry()
+        self.right_of_way = RightOfWay()  # no engine works in this process
+        self._estimate: Estimate | None = None
+        self._estimates: History[Estimate] = History()
+        self._imu: History[ImuSample] = History()
+        self._images: History[SearchedImage] = History()
+        self._frames: tuple[ShownFrame, ...] = ()
+        self._calibration: Calibration | None = None
+        self._status: Status | None = None
+        self._reference: Estimate | None = None
+        self._follower: Follower | None = None
+        self._subscribers: tuple[Subscriber, ...] = ()  # replaced, never changed
+        self._subscribing = threading.Lock()
+
+    # --- what arrives
+
+    def take(self, item: Estimated) -> None:
+        """A new estimate."""
+        estimate, arrival = item.estimate, item.t_arrival
+        follower = self._follower
+        if arrival is not None:
+            self.listeners.feed(estimate, arrival)
+            if follower is not None:
+                follower(estimate, arrival)
+        self._estimate = estimate
+        self._estimates.add(estimate)
+        for subscriber in self._subscribers:
+            subscriber(estimate)
+
+    def take_news(self, news: HandNews, images: dict[float, StereoFrame]) -> None:
+        """What is new besides; ``images`` by the s of their exposure."""
+        for sample in news.imu:
+            self._imu.add(sample)
+        for searched in news.images:
+            self._images.add(searched)
+        shown = [ShownFrame(images[f.t], f.blobs, f.result) for f in news.frames if f.t in images]
+        self._frames = (*self._frames, *shown)[-MOST_SHOWN:]
+        self._calibration = news.calibration or self._calibration
+        self._status = news.status or self._status
+        self._reference = news.reference
+
+    # --- TrackedHand
+
+    def latest_estimate(self) -> Estimate | None:
+        return self._estimate
+
+    def latest_frame(self, t: float | None = None) -> ShownFrame | None:
+        if t is None:
+            return self._frames[-1] if self._frames else None
+        return next((shown for shown in self._frames if shown.image.t == t), None)
+
+    def recent_imu(self) -> list[ImuSample]:
+        return self._imu.recent()
+
+    def recent_estimates(self) -> list[Estimate]:
+        return self._estimates.recent()
+
+    def recent_images(self) -> list[SearchedImage]:
+        return self._images.recent()
+
+    def calibration(self) -> Calibration | None:
+        return self._calibration
+
+    def status(self) -> Status:
+        """The last one of the process, with the figures of the listeners."""
+        now = monotonic()
+        status = self._status or Status(now, Tracking.SEARCHING, {})
+        own = self.telemetry.values(now)
+        return replace(status, values={**status.values, **own}) if own else status
+
+    def subscribe(self, subscriber: Subscriber) -> Callable[[], None]:
+        with self._subscribing:
+            self._subscribers += (subscriber,)
+
+        def unsubscribe() -> None:
+            with self._subscribing:
+                self._subscribers = tuple(s for s in self._subscribers if s is not subscriber)
+
+        return unsubscribe
+
+    # --- CommandedHand
+
+    def command(
+        self, work: Callable[[Engine], T], answer: Callable[[T], None] | None = None
+    ) -> None:
+        self._process.command(self._target, work, answer)
+
+    def reset_pose(self) -> None:
+        self._process.tell(self._target, "reset_pose")
+
+    def place(self, pose: WristPose) -> None:
+        self._process.tell(self._target, "place", pose)
+
+    def hold(self, pose: str) -> None:
+        self._process.tell(self._target, "hold", pose)
+
+    def let_go(self, pose: str, held: bool) -> None:
+        self._process.tell(self._target, "let_go", pose, held)
+
+    def follow(self, follower: Follower | None) -> None:
+        self._follower = follower
+
+    def record(self, message: Message) -> None:
+        self._process.tell(self._target, "record", message)
+
+    def set_reference(self, name: str | None) -> None:
+        """Raises ConfigError for an unknown name."""
+        self._process.ask(self._target, "set_reference", name, parallel=True)
+
+    def reference_estimate(self) -> Estimate | None:
+        return self._reference

@@ -1,0 +1,225 @@
+"""The window's end of the process that tracks."""
+
+from __future__ import annotations
+
+import itertools
+import logging
+import pickle
+import threading
+import time
+from collections.abc import Callable
+from concurrent.futures import Future
+from concurrent.futures import TimeoutError as FutureTimeout
+from typing import Any, TypeVar
+
+from app.engines.apart.child import END, serve
+from app.engines.apart.messages import (
+    ENDED,
+    Answered,
+    Asked,
+    Estimated,
+    Logged,
+    Opened,
+    Progressed,
+    Received,
+    Taken,
+)
+from app.engines.apart.source import Source
+from app.platform.tasks import JobProgress
+from app.words import language
+from tracker.base.child import start_child
+from tracker.base.errors import DeviceError
+from tracker.base.notices import Notice, failure
+from tracker.streaming.apart_estimate import MARK
+
+ANSWER_WAIT = 10.0  # s for an answer, on a loaded computer
+LOOK_EVERY = 0.05  # s between checks whether opening was cancelled
+FASTEST, SLOWEST = 1 / 60, 0.25  # s between news
+T = TypeVar("T")
+_log = logging.getLogger(__name__)
+
+
+def process_ended() -> Notice:
+    """The process has ended by itself."""
+    return failure(ENDED)
+
+
+class EngineProcess:
+    """Opens ``source`` in a process. Methods may be called from any thread.
+
+    ``on_estimate`` and ``on_news`` are called in a thread of it, ``on_end`` there, too, when the
+    process has ended.
+    """
+
+    def __init__(self, source: Source) -> None:
+        self.source = source
+        self._pipe, self._process = start_child(
+            "glovetrack-engine", serve, source, language(), daemon=False
+        )
+        self._sending = threading.Lock()
+        self._numbers = itertools.count(1)
+        self._waiting: dict[int, Future[Any]] = {}
+        self._answers: dict[int, Callable[[Any], None]] = {}
+        self._opened: Future[Opened] = Future()
+        self._progress = 0.0, ""
+        self._looked = time.monotonic()
+        self.period = FASTEST  # s between two refreshes of the window
+        self.ended = threading.Event()
+        self.on_estimate: Callable[[Estimated], None] = lambda _: None
+        self.on_news: Callable[[Received], None] = lambda _: None
+        self.on_end: Callable[[], None] = lambda: None
+        self._thread = threading.Thread(
+            target=self._read, name="glovetrack-engine-news", daemon=True
+        )
+        self._thread.start()
+
+    @property
+    def pid(self) -> int:
+        return self._process.pid or 0
+
+    # --- opening and closing
+
+    def wait_opened(self, progress: JobProgress) -> Opened:
+        """Waits until the engine is built. Raises what building it has raised, and Cancelled."""
+        try:
+            while True:
+                try:
+                    return self._opened.result(LOOK_EVERY)
+                except FutureTimeout:
+                    progress(*self._progress)
+        except BaseException:
+            self.kill()
+            raise
+
+    def begin_news(self) -> None:
+        """Receive news from now on."""
+        self._send(Taken(0.0))
+
+    def close(self) -> None:
+        """Ends it; a recording is finished in the background. May be called again."""
+        if self._opened.done():
+            self._send(END)
+        else:
+            self.kill()
+
+    def kill(self) -> None:
+        """Ends it at once."""
+        self._process.kill()
+
+    # --- requests
+
+    def tell(self, target: str, method: str, *args: Any, **kwargs: Any) -> None:
+        """Calls a method there, without waiting for it."""
+        self._send(Asked(0, target, method, args, kwargs))
+
+    def tell_now(self, target: str, method: str, *args: Any) -> bool:
+        """As `tell`, before what was asked for earlier; returns whether it was sent."""
+        return self._send(Asked(0, target, method, args, urgent=True))
+
+    def ask(
+        self,
+        target: str,
+        method: str,
+        *args: Any,
+        wait: float = ANSWER_WAIT,
+        parallel: bool = False,
+        **kwargs: Any,
+    ) -> Any:
+        """Calls a method there; returns its result or raises its exception.
+
+        ``parallel``: it may take long, so other requests do not wait for it. Raises DeviceError if
+        there is no answer within ``wait`` s.
+        """
+        number, future = next(self._numbers), Future[Any]()
+        self._waiting[number] = future
+        try:
+            if not self._send(Asked(number, target, method, args, kwargs, parallel)):
+                raise DeviceError(process_ended())
+            return future.result(wait)
+        except FutureTimeout as error:
+            raise DeviceError(failure("engine.process_silent")) from error
+        finally:
+            self._waiting.pop(number, None)
+
+    def ask_or(self, default: T, target: str, method: str, *args: Any) -> T:
+        """As `ask` with ``parallel``, but ``default`` if the process has ended or is silent."""
+        try:
+            found: T = self.ask(target, method, *args, parallel=True)
+        except DeviceError as error:
+            _log.info("%s of %s: %s", method, target, error)
+            return default
+        return found
+
+    def command(
+        self, target: str, work: Callable[..., Any], answer: Callable[[Any], None] | None
+    ) -> None:
+        """Runs ``work`` on the engine's thread; ``answer`` is called in another thread."""
+        number = next(self._numbers)
+        if answer is not None:
+            self._answers[number] = answer
+        self._send(Asked(number, target, "command", (work,)))
+
+    def _send(self, item: object) -> bool:
+        with self._sending:
+            if self.ended.is_set():
+                return False
+            try:
+                self._pipe.send(item)
+            except (OSError, ValueError):
+                return False
+            return True
+
+    def refreshed(self) -> None:
+        """The window has been refreshed: news are worth sending as often as that."""
+        now = time.monotonic()
+        self.period = min(max(now - self._looked, FASTEST), SLOWEST)
+        self._looked = now
+
+    # --- what arrives
+
+    def _read(self) -> None:
+        try:
+            while True:
+                data = self._pipe.recv_bytes()
+                if data.startswith(MARK):
+                    self.on_estimate(Estimated.unpacked(data))
+                else:
+                    self._take(pickle.loads(data))
+        except (EOFError, OSError):
+            self.ended.set()
+        with self._sending:
+            self._pipe.close()
+        for future in (*self._waiting.values(), self._opened):
+            if not future.done():
+                future.set_exception(DeviceError(process_ended()))
+        self.on_end()
+
+    def _take(self, item: object) -> None:
+        match item:
+            case Received():
+                self.on_news(item)
+                self._send(Taken(0.8 * self.period))
+            case Answered():
+                self._answer(item)
+            case Progressed():
+                self._progress = item.fraction, item.text
+            case Opened():
+                self._opened.set_result(item)
+            case Logged():
+                logging.getLogger(item.name).log(item.level, "%s", item.text)
+
+    def _answer(self, item: Answered) -> None:
+        future = self._waiting.get(item.number) if item.number else self._opened
+        if future is None:
+            self._answer_command(item)
+        elif item.error is not None:
+            future.set_exception(item.error)
+        else:
+            future.set_result(item.result)
+
+    def _answer_command(self, item: Answered) -> None:
+        answer = self._answers.pop(item.number, None)
+        if item.error is not None:
+            _log.error("A command to the engine failed", exc_info=item.error)
+        elif answer is not None:
+            answer(item.result)

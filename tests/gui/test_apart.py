@@ -1,0 +1,298 @@
+"""Tracking in a process of its own: the demo in a real process, and its two ends in one process."""
+
+import logging
+import multiprocessing
+import os
+import select
+import signal
+import socket
+import threading
+import time
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import glovetrack
+from app.engines.apart import process as process_module
+from app.engines.apart.child import Line, run
+from app.engines.apart.setup import apart_factory
+from app.engines.apart.source import Companions
+from app.engines.demo_camera import DemoChoice
+from app.engines.engine import Built
+from app.engines.protocols import RecordingRequest
+from app.jobs.calibration_commands import CalibrationCommands
+from app.jobs.guided_poses import GuidedCommands
+from app.platform.tasks import JobProgress
+from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup
+from tracker.base.errors import ConfigError, DeviceError
+from tracker.base.notices import failure, notice
+from tracker.messages import Event, Tracking
+from tracker.offline.options import TrackOptions
+from tracker.offline.track import track
+from tracker.session.compare import compare
+from tracker.session.recover import needs_recovery
+from tracker.streaming.registry import StreamSettings, with_streams
+
+LONG = 120_000  # ms, on a loaded computer
+CHOICE = DemoChoice(fps=10.0, scene="plain", camera_errors="none")
+
+
+def is_tracked(window) -> bool:
+    view = window.host.snapshot()
+    return view is not None and view.estimate is not None and view.estimate.tracking == 1
+
+
+@pytest.fixture
+def receiver():
+    """A port that a stream is sent to."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as receiver:
+        receiver.bind(("127.0.0.1", 0))
+        yield receiver
+
+
+@pytest.fixture
+def demo(window, qtbot, receiver):
+    """The window with the demo in a process of its own, and the hand found."""
+    port = receiver.getsockname()[1]
+    window.outputs.apart = True
+    window.outputs.use(with_streams(StreamSettings(), f"udp:{port}", "", ""))
+    window.sources.apart = True
+    window.sources.open_demo(CHOICE)
+    qtbot.waitUntil(lambda: window.host.running, timeout=LONG)
+    qtbot.waitUntil(lambda: is_tracked(window), timeout=LONG)
+    return window
+
+
+@pytest.mark.timeout(400)
+def test_a_recording_is_complete_although_the_process_is_killed(demo, receiver, qtbot, tmp_path):
+    """A first recording is tracked again bit for bit. During a second one the process is killed:
+    tracking starts again, and the file is complete up to then. A stream is received meanwhile."""
+    host, done, errors = demo.host, [], []
+    host.recording.finished.connect(done.append)
+    host.error.connect(errors.append)
+    qtbot.waitUntil(lambda: bool(select.select([receiver], [], [], 0)[0]), timeout=LONG)
+    assert b"index_tip" in receiver.recv(65536)
+    answers = []
+    calibration, guided = CalibrationCommands(host), GuidedCommands(host, host.setup.side)
+    calibration.learned.connect(answers.append)
+    guided.known.connect(answers.append)
+    assert host.recording.begin(RecordingRequest(tmp_path / "a.mcap", "", ""))
+    assert calibration.ask() and guided.ask()
+    qtbot.waitUntil(lambda: len(answers) == 2, timeout=LONG)
+    assert guided.restore_snapshot(answers[1]) and calibration.freeze(True)
+    begun = host.setup.tracked.latest_estimate().t
+    qtbot.waitUntil(lambda: host.setup.tracked.latest_estimate().t > begun + 1.5, timeout=LONG)
+    host.recording.end()
+    qtbot.waitUntil(lambda: len(done) == 1, timeout=LONG)
+    track(tmp_path / "a.mcap", tmp_path / "again.mcap", TrackOptions())
+    found = compare(tmp_path / "a.mcap", tmp_path / "again.mcap")
+    assert found["identical"], found
+
+    engine = host.setup.engine
+    assert host.recording.begin(RecordingRequest(tmp_path / "b.mcap", "", ""))
+    qtbot.waitUntil(lambda: host.recording.written > 50, timeout=LONG)
+    os.kill(engine._process.pid, signal.SIGKILL)
+    qtbot.waitUntil(lambda: len(done) == 2, timeout=LONG)
+    qtbot.waitUntil(
+        lambda: host.setup is not None and host.setup.engine is not engine and host.running,
+        timeout=LONG,
+    )
+    assert any("starts again" in text for text in errors)
+    qtbot.waitUntil(lambda: not needs_recovery(tmp_path / "b.mcap"), timeout=LONG)
+    recording = glovetrack.open(tmp_path / "b.mcap")
+    assert len(recording.t) > 20
+    qtbot.waitUntil(lambda: is_tracked(demo), timeout=LONG)
+
+
+# --- both ends in one process
+
+
+class Scripted:
+    """A source without devices."""
+
+    def __init__(self, setup):
+        self.setup = setup
+
+    def build(self, progress):
+        progress(0.5, "half")
+        if isinstance(self.setup, Exception):
+            raise self.setup
+        return Built(self.setup)
+
+    def companions(self, opened, send):
+        return Companions()
+
+
+class ThreadAsProcess:
+    """In place of the process."""
+
+    pid = 0
+
+    def __init__(self, source):
+        self.ours, theirs = multiprocessing.Pipe()
+        self._theirs = theirs
+        self._thread = threading.Thread(target=self._run, args=(source,), daemon=True)
+        self._thread.start()
+
+    def _run(self, source):
+        try:
+            run(Line(self._theirs), source)
+        finally:
+            self._theirs.close()
+
+    def kill(self):
+        """As the end of a process: nothing more is read or written."""
+        if not self._theirs.closed:
+            with socket.socket(fileno=os.dup(self._theirs.fileno())) as line:
+                line.shutdown(socket.SHUT_RDWR)
+
+
+@pytest.fixture
+def connect(monkeypatch, no_leaks):
+    """Makes the window's end of a setup."""
+    monkeypatch.setattr("app.engines.apart.child._end_later", lambda: None)
+    made = []
+
+    def start(name, serve, source, language, daemon):
+        made.append(ThreadAsProcess(source))
+        return made[-1].ours, made[-1]
+
+    monkeypatch.setattr(process_module, "start_child", start)
+
+    def opened(setup):
+        return apart_factory(Scripted(setup))(JobProgress(lambda *_: None))
+
+    yield opened
+    for each in made:
+        each.kill()
+        each._thread.join(10.0)
+
+
+def eventually(found) -> None:
+    end = time.monotonic() + 20.0
+    while not found():
+        assert time.monotonic() < end
+        time.sleep(0.01)
+
+
+def test_the_window_sees_what_the_engine_has(connect):
+    engine = ScriptedEngine()
+    setup = connect(scripted_setup(engine))
+    eventually(lambda: setup.tracked.latest_frame() is not None)
+    image, blobs, result = setup.tracked.latest_frame()
+    true_image, true_blobs, true_result = engine.latest_frame()
+    np.testing.assert_array_equal(image.left, true_image.left)
+    np.testing.assert_array_equal(image.right, true_image.right)
+    np.testing.assert_array_equal(blobs.left.uv, true_blobs.left.uv)
+    np.testing.assert_array_equal(result.match_left, true_result.match_left)
+    assert setup.tracked.latest_frame(image.t) is not None
+    assert setup.tracked.latest_frame(image.t + 1.0) is None
+    assert len(setup.tracked.recent_imu()) == len(engine.recent_imu())
+    assert setup.tracked.calibration().hand_length == engine.calibration().hand_length
+    assert setup.tracked.status().values.items() >= engine.status().values.items()
+    assert [event.text for event in setup.engine.drain_events()] == ["Glove found."]
+    setup.close()
+
+
+def test_colours_of_the_user_are_not_replaced_by_older_ones(connect):
+    engine = ScriptedEngine()
+    setup = connect(scripted_setup(engine))
+    mine, followed = (replace(models()[2]) for _ in range(2))
+    setup.engine.set_profile(mine)
+    assert setup.engine.profile is mine
+    eventually(lambda: engine.profiles)
+    engine.followed = followed
+    setup.close()
+
+
+def test_errors_are_those_of_the_engine(connect, caplog):
+    engine = ScriptedEngine()
+    engine.set_engine = refuse
+    setup = connect(scripted_setup(engine))
+    with pytest.raises(ConfigError) as caught:
+        setup.engine.set_engine("nonsense")
+    assert caught.value.notice.code == "engine.no_wearer"
+    with caplog.at_level(logging.CRITICAL), pytest.raises(Exception, match="division by zero"):
+        setup.engine.set_engine("chain")
+    engine.failure = failure("thread.failed", thread="engine", type="X", why="y")
+    eventually(lambda: setup.live.engine.failure is not None)
+    assert setup.live.engine.failure.code == "thread.failed"
+    setup.close()
+
+
+def refuse(name):
+    if name == "chain":
+        1 / 0  # noqa: B018 - not an error of ours
+    raise ConfigError(notice("engine.no_wearer"))
+
+
+def test_a_source_that_cannot_be_opened_says_why(connect):
+    with pytest.raises(DeviceError) as caught:
+        connect(DeviceError(notice("window.no_rig")))
+    assert caught.value.notice.code == "window.no_rig"
+
+
+def test_a_device_that_hangs_does_not_hang_the_window(connect):
+    engine, released = ScriptedEngine(), threading.Event()
+    engine.stop = lambda patience=None: released.wait(30.0)
+    setup = connect(scripted_setup(engine))
+    begun = time.monotonic()
+    setup.engine.stop(0.0)
+    assert time.monotonic() - begun < 10.0  # it hangs for 30 s
+    assert [e.notice.code for e in setup.engine.drain_events() if e.kind == "error"] == [
+        "engine.process_silent"
+    ]
+    released.set()
+    setup.close()
+
+
+def test_estimates_arrive_at_once_for_those_who_follow(connect):
+    engine = ScriptedEngine()
+    followers, subscribers = [], []
+    engine.follow, engine.subscribe = followers.append, subscribers.append
+    setup = connect(scripted_setup(engine))
+    seen, arrived = [], []
+    setup.live.hand.follow(lambda estimate, t: arrived.append(t))
+    setup.live.hand.subscribe(seen.append)
+    first = engine.latest_estimate()
+    followers[0](first, 1.5)
+    subscribers[0](first)
+    later = replace(first, t=first.t + 0.01, tracking=Tracking.SEARCHING)
+    subscribers[0](later)  # without a packet
+    eventually(lambda: len(seen) == 2)
+    assert arrived == [1.5] and [e.t for e in seen] == [first.t, later.t]
+    np.testing.assert_array_equal(seen[0].keypoints, first.keypoints)
+    assert setup.tracked.latest_estimate().t == later.t
+    setup.close()
+
+
+def test_a_recording_reports_its_state(connect, tmp_path):
+    made = []
+    engine = ScriptedEngine()
+    setup = connect(scripted_setup(engine, made))
+    file = setup.live.make_recorder(RecordingRequest(tmp_path / "a.mcap", "", ""))
+    setup.live.engine.set_recorder(file)
+    assert engine.recorder is not None
+    setup.engine.note("here", 2.0, {})
+    eventually(lambda: file.written == 1)
+    file.paused = True
+    eventually(lambda: engine.recorder.paused)
+    setup.live.engine.set_recorder(None)
+    eventually(lambda: file.closed)
+    assert [m.text for m in made[0].messages] == ["here"] and not file.broken
+    setup.close()
+
+
+def test_an_end_of_the_process_is_a_failure_and_ends_the_file(connect, tmp_path):
+    engine = ScriptedEngine()
+    setup = connect(scripted_setup(engine))
+    file = setup.live.make_recorder(RecordingRequest(tmp_path / "a.mcap", "", ""))
+    setup.engine._process.kill()
+    eventually(lambda: setup.live.engine.failure is not None)
+    assert setup.live.engine.failure.code == "engine.process_ended"
+    eventually(lambda: file.closed)
+    assert file.broken
+    setup.live.engine.set_recorder(None)  # raises nothing
+    setup.live.hand.record(Event(0.0, "note", "too late"))
+    setup.engine.stop()
