@@ -69,7 +69,7 @@ class AppSettings:
     angle_unit: str = "deg"  # or "rad"; for the motion panel
     view_3d: str = "auto"  # "auto", "card" or "painted"
     card_trial: bool = False  # the GPU renderer has not yet drawn enough images to be trusted
-    own_process: bool = False  # tracking runs in a process of its own
+    own_process: bool = True  # tracking runs in a process of its own
     both_hands: bool = False  # the other hand's glove is expected, too
     hand: str = "reference-right"
     glove: str = "vist-small"

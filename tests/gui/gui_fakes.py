@@ -238,9 +238,6 @@ class ScriptedEngine:
     def follow(self, follower) -> None:
         self.commands.append("follow")
 
-    def subscribe(self, subscriber):
-        return lambda: None
-
     def record(self, message) -> None:
         self.commands.append("record")
 

@@ -108,6 +108,13 @@ def test_a_recording_is_complete_although_the_process_is_killed(demo, receiver, 
 # --- both ends in one process
 
 
+class Subscribed(ScriptedEngine):
+    """An engine whose estimates can be subscribed to; there are none by itself."""
+
+    def subscribe(self, subscriber):
+        return lambda: None
+
+
 class Scripted:
     """A source without devices."""
 
@@ -177,7 +184,7 @@ def eventually(found) -> None:
 
 
 def test_the_window_sees_what_the_engine_has(connect):
-    engine = ScriptedEngine()
+    engine = Subscribed()
     setup = connect(scripted_setup(engine))
     eventually(lambda: setup.tracked.latest_frame() is not None)
     image, blobs, result = setup.tracked.latest_frame()
@@ -196,7 +203,7 @@ def test_the_window_sees_what_the_engine_has(connect):
 
 
 def test_colours_of_the_user_are_not_replaced_by_older_ones(connect):
-    engine = ScriptedEngine()
+    engine = Subscribed()
     setup = connect(scripted_setup(engine))
     mine, followed = (replace(models()[2]) for _ in range(2))
     setup.engine.set_profile(mine)
@@ -207,7 +214,7 @@ def test_colours_of_the_user_are_not_replaced_by_older_ones(connect):
 
 
 def test_errors_are_those_of_the_engine(connect, caplog):
-    engine = ScriptedEngine()
+    engine = Subscribed()
     engine.set_engine = refuse
     setup = connect(scripted_setup(engine))
     with pytest.raises(ConfigError) as caught:
@@ -234,7 +241,7 @@ def test_a_source_that_cannot_be_opened_says_why(connect):
 
 
 def test_a_device_that_hangs_does_not_hang_the_window(connect):
-    engine, released = ScriptedEngine(), threading.Event()
+    engine, released = Subscribed(), threading.Event()
     engine.stop = lambda patience=None: released.wait(30.0)
     setup = connect(scripted_setup(engine))
     begun = time.monotonic()
@@ -248,7 +255,7 @@ def test_a_device_that_hangs_does_not_hang_the_window(connect):
 
 
 def test_estimates_arrive_at_once_for_those_who_follow(connect):
-    engine = ScriptedEngine()
+    engine = Subscribed()
     followers, subscribers = [], []
     engine.follow, engine.subscribe = followers.append, subscribers.append
     setup = connect(scripted_setup(engine))
@@ -269,7 +276,7 @@ def test_estimates_arrive_at_once_for_those_who_follow(connect):
 
 def test_a_recording_reports_its_state(connect, tmp_path):
     made = []
-    engine = ScriptedEngine()
+    engine = Subscribed()
     setup = connect(scripted_setup(engine, made))
     file = setup.live.make_recorder(RecordingRequest(tmp_path / "a.mcap", "", ""))
     setup.live.engine.set_recorder(file)
@@ -285,7 +292,7 @@ def test_a_recording_reports_its_state(connect, tmp_path):
 
 
 def test_an_end_of_the_process_is_a_failure_and_ends_the_file(connect, tmp_path):
-    engine = ScriptedEngine()
+    engine = Subscribed()
     setup = connect(scripted_setup(engine))
     file = setup.live.make_recorder(RecordingRequest(tmp_path / "a.mcap", "", ""))
     setup.engine._process.kill()
