@@ -14,6 +14,8 @@ from PySide6.QtWidgets import QApplication, QWidget
 
 from app.engines.apart.demo import DemoSource
 from app.engines.apart.process import EngineProcess
+from app.engines.apart.setup import apart_factory
+from app.engines.apart.source import DeviceSource, Source
 from app.engines.demo_camera import DemoChoice, start_camera
 from app.panels.command_kind import CommandContext
 from app.platform.compiling import compile_before_start
@@ -107,21 +109,19 @@ def _streams(options: WindowOptions) -> StreamSettings:
 
 def _report(options: WindowOptions, seconds: float) -> int:
     check_report(options.out, options.force)
-    # a camera to be simulated starts before the window is even imported
-    camera = None if options.devices else start_camera(choice=_demo(options))
+    settings = SettingsStore().value
+    if options.baud is not None:
+        settings = replace(settings, baud=options.baud)
+    source: Source = DeviceSource(settings) if options.devices else DemoSource(_demo(options))
+    process = EngineProcess(source)  # starts before the window is even imported
     from app.window.headless_report import (  # deferred: loads the window
         Connected,
         Watched,
         headless_report,
     )
-    from app.window.sources import demo_factory, hardware_factory  # deferred: loads the window
 
-    settings = SettingsStore().value
-    if options.baud is not None:
-        settings = replace(settings, baud=options.baud)
-    watched = Watched("devices", hardware_factory(settings))
-    if camera is not None:
-        watched = Watched("demo", demo_factory(_demo(options), camera=camera))
+    name = "devices" if options.devices else "demo"
+    watched = Watched(name, apart_factory(source, process))
     connected = Connected(_streams(options), options.remote, options.remote_host)
     return headless_report(seconds, options.out, watched, connected, options.wearer)
 
