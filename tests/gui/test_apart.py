@@ -27,6 +27,7 @@ from app.platform.tasks import JobProgress
 from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup
 from tracker.base.errors import ConfigError, DeviceError
 from tracker.base.notices import failure, notice
+from tracker.base.shared_memory import NoSharedMemory
 from tracker.messages import Event, Tracking
 from tracker.offline.options import TrackOptions
 from tracker.offline.track import track
@@ -199,6 +200,19 @@ def test_the_window_sees_what_the_engine_has(connect):
     assert setup.tracked.calibration().hand_length == engine.calibration().hand_length
     assert setup.tracked.status().values.items() >= engine.status().values.items()
     assert [event.text for event in setup.engine.drain_events()] == ["Glove found."]
+    setup.close()
+
+
+def test_without_room_for_images_the_rest_is_shown(connect, monkeypatch):
+    def full(_size):
+        raise NoSharedMemory(notice("system.shared_memory_full", needed_mb=5.5))
+
+    monkeypatch.setattr("app.engines.apart.pixels.new_memory", full)
+    engine = Subscribed()
+    setup = connect(scripted_setup(engine))
+    eventually(lambda: setup.tracked.calibration() is not None)
+    assert setup.tracked.latest_frame() is None
+    assert len(setup.tracked.recent_imu()) == len(engine.recent_imu())
     setup.close()
 
 

@@ -39,7 +39,6 @@ from app.platform.process_tuning import freeze_permanent_objects, tune_process
 from app.platform.tasks import JobProgress
 from app.platform.translation import install
 from tracker.base.errors import GlovetrackError, notice_of
-from tracker.base.shared_memory import NoSharedMemory
 from tracker.base.urgency import run_first
 from tracker.fusion.engine import Engine
 from tracker.messages import Estimate
@@ -268,13 +267,7 @@ class Desk:
                     freeze_permanent_objects()
 
     def _send_news(self) -> None:
-        try:
-            news, memory = self._room.news()
-        except NoSharedMemory as error:
-            _log.warning("%s", error)
-            self._taken.set()
-            return
-        self._line.send(Received(news, memory))
+        self._line.send(Received(*self._room.news()))
 
 
 class _EngineTarget:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import time
 from collections.abc import Mapping, Sequence
 from typing import TypeVar
@@ -10,10 +11,12 @@ from app.engines.apart.messages import FileNews, HandNews, NewFrame, News, Pixel
 from app.engines.apart.pixels import PixelWriter
 from app.engines.engine import EngineSetup
 from app.engines.protocols import RecordedFile
+from tracker.base.shared_memory import NoSharedMemory
 from tracker.live.frame_results import MOST_SHOWN
 from tracker.live.history import Timed
 from tracker.messages import Calibration, StereoFrame
 
+_log = logging.getLogger(__name__)
 STATUS_EVERY = 0.1  # s: its medians are slow
 REPORT_EVERY = 0.25  # s, of devices
 
@@ -93,12 +96,10 @@ class Newsroom:
         self.files: Mapping[int, RecordedFile] = {}  # replaced, never changed
         self.profiles = 0  # changes by the user
         self.pixels = PixelWriter()
+        self._is_full = False  # the system's shared memory
 
     def news(self) -> tuple[News, str]:
-        """Everything since the last call, and the name of the memory of pixels if it is new.
-
-        Raises NoSharedMemory.
-        """
+        """Everything since the last call, and the name of the memory of pixels if it is new."""
         setup, now = self._setup, time.monotonic()
         hands = {side: watch.news(now) for side, watch in self._hands.items()}
         pixels, memory = self._pixels()
@@ -121,7 +122,13 @@ class Newsroom:
         found = [frame for w in self._hands.values() if (frame := w.newest()) is not None]
         if not found:
             return None, ""
-        return self.pixels.put(max(found, key=lambda frame: frame.t))
+        try:
+            return self.pixels.put(max(found, key=lambda frame: frame.t))
+        except NoSharedMemory as error:  # images are not shown, and everything else is
+            if not self._is_full:
+                _log.warning("%s", error)
+            self._is_full = True
+            return None, ""
 
 
 def _file_news(file: RecordedFile) -> FileNews:
