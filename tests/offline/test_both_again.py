@@ -25,7 +25,7 @@ SIDES = ("left", "right")
 @pytest.fixture(scope="module")
 def session(tmp_path_factory) -> Path:
     path = tmp_path_factory.mktemp("both") / "both.mcap"
-    simulate(path, SimulateOptions(hands="both", seed=5, duration=4.0, fps=30, images=False))
+    simulate(path, SimulateOptions(hands="both", seed=5, duration=5.0, fps=30, images=False))
     return path
 
 

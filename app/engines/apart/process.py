@@ -14,7 +14,6 @@ from typing import Any, TypeVar
 
 from app.engines.apart.child import END, serve
 from app.engines.apart.messages import (
-    ENDED,
     Answered,
     Asked,
     Estimated,
@@ -41,7 +40,7 @@ _log = logging.getLogger(__name__)
 
 def process_ended() -> Notice:
     """The process has ended by itself."""
-    return failure(ENDED)
+    return failure("engine.process_ended")
 
 
 class EngineProcess:
