@@ -315,7 +315,7 @@ def test_biases_measured_at_rest_reach_the_engine(window):
     engine = Pipeline(hand, glove, ideal_rig()).engine
     assert isinstance(engine, ChainEngine)
     scripted = ScriptedEngine()
-    scripted.command = lambda work: work(engine)
+    scripted.command = lambda work, answer=None: work(engine)
     window.host.adopt(scripted_setup(scripted))
     bias = np.array([0.01, -0.02, 0.03])
     imu = StillImu("", bias, 1e-4, 1e-4, np.zeros(3))
