@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections import deque
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from tracker.live.history import History, SearchedImage
-from tracker.live.inbox import DetectedFrame
 from tracker.messages import BlobFrame, FrameResult, StereoFrame, Tracking
+
+if TYPE_CHECKING:  # the window, which shows frames, does not load the engine
+    from tracker.live.inbox import DetectedFrame
 
 MOST_WAITING = 30  # images; they have no results while searching
 MOST_SHOWN = 4  # images that are stored with their results

@@ -5,14 +5,13 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 from dataclasses import replace
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from app.engines.apart.messages import Estimated, HandNews
 from app.engines.apart.process import EngineProcess
 from tracker.base.clock import monotonic
 from tracker.fusion.engine import Engine
 from tracker.live.frame_results import MOST_SHOWN, ShownFrame
-from tracker.live.hand import Follower, Subscriber
 from tracker.live.history import History, SearchedImage
 from tracker.live.listeners import Listeners
 from tracker.live.right_of_way import RightOfWay
@@ -27,6 +26,9 @@ from tracker.messages import (
     Tracking,
     WristPose,
 )
+
+if TYPE_CHECKING:  # the window does not load the engine
+    from tracker.live.hand import Follower, Subscriber
 
 T = TypeVar("T")
 
