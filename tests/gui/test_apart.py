@@ -1,5 +1,6 @@
 """Tracking in a process of its own: the demo in a real process, and its two ends in one process."""
 
+import contextlib
 import logging
 import multiprocessing
 import os
@@ -151,8 +152,9 @@ class ThreadAsProcess:
 
     def kill(self):
         """As the end of a process: nothing more is read or written."""
-        if not self._theirs.closed:
-            with socket.socket(fileno=os.dup(self._theirs.fileno())) as line:
+        with contextlib.suppress(OSError):  # it has ended by itself
+            line = socket.socket(fileno=os.dup(self._theirs.fileno()))
+            with line:
                 line.shutdown(socket.SHUT_RDWR)
 
 
