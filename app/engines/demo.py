@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 import time
 from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
@@ -179,7 +180,7 @@ def _built_with(
             for side, glove in gloves.items()
         ]
     )
-    return Built(setup, send if wearer is not None else None, t_0)
+    return Built(setup, send if wearer is not None else None, t_0, pickle.dumps(spec))
 
 
 def _gloves(wearers: Mapping[str, Simulation], glove_process: GloveProcess) -> dict[str, DemoGlove]:

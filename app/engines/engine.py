@@ -172,8 +172,10 @@ Send = Callable[["PostureRequest", str], None]
 
 
 class Built(NamedTuple):
-    """An engine; for a simulated wearer how to request postures, and when (s) the motion begins."""
+    """An engine; for a simulated one how to request postures, when (s) the motion begins, and the
+    pickled specification of the scene."""
 
     setup: EngineSetup
     send: Send | None = None
     begins: float = 0.0
+    scene: bytes = b""

@@ -111,10 +111,30 @@ def test_a_recording_is_complete_although_the_process_is_killed(demo, receiver, 
 
 
 class Subscribed(ScriptedEngine):
-    """An engine whose estimates can be subscribed to; there are none by itself."""
+    """An engine whose estimates can be subscribed to; ``looks`` counts how often news were
+    collected."""
+
+    looks = 0
+
+    def __init__(self):
+        super().__init__()
+        self.followers, self.subscribers = [], []
+
+    def follow(self, follower):
+        self.followers.append(follower)
 
     def subscribe(self, subscriber):
+        self.subscribers.append(subscriber)
         return lambda: None
+
+    def drain_events(self):
+        self.looks += 1
+        return super().drain_events()
+
+    def publish(self, estimate, t_arrival=None):
+        if t_arrival is not None:
+            self.followers[0](estimate, t_arrival)
+        self.subscribers[0](estimate)
 
 
 class Scripted:
@@ -161,7 +181,6 @@ class ThreadAsProcess:
 @pytest.fixture
 def connect(monkeypatch, no_leaks):
     """Makes the window's end of a setup."""
-    monkeypatch.setattr("app.engines.apart.child._end_later", lambda: None)
     made = []
 
     def start(name, serve, source, language, daemon):
@@ -219,13 +238,27 @@ def test_without_room_for_images_the_rest_is_shown(connect, monkeypatch):
 
 
 def test_colours_of_the_user_are_not_replaced_by_older_ones(connect):
-    engine = Subscribed()
+    """Until the engine has taken the user's colours, it reports others that it has adapted."""
+    mine, older, newer = (replace(models()[2], name=name) for name in ("mine", "older", "newer"))
+    engine, asked, allowed = Subscribed(), threading.Event(), threading.Event()
+
+    def set_profile(profile):
+        engine.followed = older
+        asked.set()
+        assert allowed.wait(20.0)
+        Subscribed.set_profile(engine, profile)
+
+    engine.set_profile = set_profile
     setup = connect(scripted_setup(engine))
-    mine, followed = (replace(models()[2]) for _ in range(2))
     setup.engine.set_profile(mine)
-    assert setup.engine.profile is mine
-    eventually(lambda: engine.profiles)
-    engine.followed = followed
+    assert asked.wait(20.0)
+    seen = engine.looks
+    eventually(lambda: engine.looks > seen + 3)
+    assert setup.engine.profile == mine
+    allowed.set()
+    eventually(lambda: engine.profiles == [mine])
+    engine.followed = newer
+    eventually(lambda: setup.engine.profile == newer)
     setup.close()
 
 
@@ -246,7 +279,7 @@ def test_errors_are_those_of_the_engine(connect, caplog):
 
 def refuse(name):
     if name == "chain":
-        1 / 0  # noqa: B018 - not an error of ours
+        raise ZeroDivisionError("division by zero")  # not an error of ours
     raise ConfigError(notice("engine.no_wearer"))
 
 
@@ -272,21 +305,70 @@ def test_a_device_that_hangs_does_not_hang_the_window(connect):
 
 def test_estimates_arrive_at_once_for_those_who_follow(connect):
     engine = Subscribed()
-    followers, subscribers = [], []
-    engine.follow, engine.subscribe = followers.append, subscribers.append
     setup = connect(scripted_setup(engine))
     seen, arrived = [], []
     setup.live.hand.follow(lambda estimate, t: arrived.append(t))
     setup.live.hand.subscribe(seen.append)
     first = engine.latest_estimate()
-    followers[0](first, 1.5)
-    subscribers[0](first)
+    engine.publish(first, 1.5)
     later = replace(first, t=first.t + 0.01, tracking=Tracking.SEARCHING)
-    subscribers[0](later)  # without a packet
+    engine.publish(later)  # without a packet
     eventually(lambda: len(seen) == 2)
     assert arrived == [1.5] and [e.t for e in seen] == [first.t, later.t]
     np.testing.assert_array_equal(seen[0].keypoints, first.keypoints)
     assert setup.tracked.latest_estimate().t == later.t
+    setup.close()
+
+
+def test_a_window_that_hangs_does_not_delay_the_engine(connect):
+    """The window stops reading: the engine's thread goes on, and the newest estimates arrive."""
+    engine, hangs, goes_on = Subscribed(), threading.Event(), threading.Event()
+    setup = connect(scripted_setup(engine))
+    seen = []
+
+    def hang(estimate):
+        seen.append(estimate.t)
+        hangs.set()
+        assert goes_on.wait(60.0)
+
+    setup.live.hand.subscribe(hang)
+    first = engine.latest_estimate()
+    engine.publish(first)
+    assert hangs.wait(20.0)
+    times = [first.t + 0.01 * k for k in range(1, 1001)]  # 5 MB, much more than a pipe takes
+    for t in times:
+        engine.publish(replace(first, t=t))
+    assert len(seen) == 1
+    goes_on.set()
+    engine.publish(replace(first, t=times[-1] + 0.01))
+    eventually(lambda: seen[-1] >= times[-50])
+    assert len(seen) < 900 and seen == sorted(seen)
+    setup.close()
+
+
+def test_a_fault_in_what_follows_the_hand_stops_tracking_visibly(connect):
+    engine = Subscribed()
+    setup = connect(scripted_setup(engine))
+
+    def follower(_estimate, _t):
+        raise ValueError("a robot")
+
+    setup.live.hand.follow(follower)
+    engine.publish(engine.latest_estimate(), 1.0)
+    eventually(lambda: setup.live.engine.failure is not None)
+    assert setup.live.engine.failure.code == "thread.failed"
+    assert setup.live.engine.failure.values["why"] == "a robot"
+    setup.engine.stop()  # is answered
+    assert engine.stopped
+    setup.close()
+
+
+def test_a_fault_of_a_device_that_is_asked_stops_tracking_visibly(connect):
+    engine = Subscribed()
+    setup = connect(scripted_setup(engine))
+    engine.recent_imu = lambda: [][1]
+    eventually(lambda: setup.live.engine.failure is not None)
+    assert setup.live.engine.failure.values["type"] == "IndexError"
     setup.close()
 
 

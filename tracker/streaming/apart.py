@@ -51,6 +51,7 @@ class EstimateLine:
 
     def __init__(self, pipe: Connection) -> None:
         self._pipe, self._sending = pipe, threading.Lock()
+        self._room = None
         if sys.platform == "linux":
             self._room = select.poll()
             self._room.register(pipe.fileno(), select.POLLOUT)
@@ -68,12 +69,13 @@ class EstimateLine:
                 raise _has_ended() from error
 
     def offer(self, data: bytes) -> bool:
-        """Sends a packed estimate unless that would wait; returns whether it was sent. Linux."""
+        """Sends a packed estimate unless that would wait; returns whether it was sent. On Linux;
+        elsewhere one cannot know, so it may wait."""
         if not self._sending.acquire(blocking=False):
             return False
         try:
-            if not self._room.poll(0):  # otherwise a quarter of the buffer is used
-                return False
+            if self._room is not None and not self._room.poll(0):
+                return False  # more than a quarter of the buffer is used
             self._pipe.send_bytes(data)
         except (OSError, ValueError):  # the counts report that it has ended
             return False

@@ -12,10 +12,11 @@ import queue
 import signal
 import sys
 import threading
-import time
+from collections import deque
 from collections.abc import Callable, Sequence
 from functools import partial
 from multiprocessing.connection import Connection
+from multiprocessing.reduction import ForkingPickler
 from typing import Any
 
 from PySide6.QtCore import QCoreApplication
@@ -24,12 +25,14 @@ from app.engines.apart.messages import (
     Answered,
     Asked,
     Estimated,
+    Failed,
     HandFacts,
     Logged,
     Opened,
     Progressed,
     Received,
     Taken,
+    thread_failed,
 )
 from app.engines.apart.news import Newsroom
 from app.engines.apart.source import Source
@@ -43,6 +46,8 @@ from tracker.base.urgency import run_first
 from tracker.fusion.engine import Engine
 from tracker.messages import Estimate
 from tracker.streaming.apart import EstimateLine, feed
+from tracker.streaming.connection import StreamError
+from tracker.streaming.streams import BACKLOG
 from tracker.vision.colours import ColourProfile
 
 _log = logging.getLogger(__name__)
@@ -55,7 +60,8 @@ SETTLED = 3.0  # s after the start of tracking; then all modules and objects tha
 END = "end"
 """A request to end."""
 
-LONGEST_CLOSING = 100.0  # s, for a slow disk; a device that hangs must not keep the process alive
+LONGEST_CLOSING = 100.0
+"""s without progress after which the process ends although a device or a disk hangs."""
 
 
 def serve(pipe: Connection, source: Source, language: str) -> None:
@@ -85,26 +91,34 @@ def run(line: Line, source: Source) -> None:
         desk.close()
 
 
-def _end_later() -> None:
-    time.sleep(LONGEST_CLOSING)
-    os._exit(1)
-
-
 class Line:
     """Sends messages from any thread; nothing once the window is gone."""
 
     def __init__(self, pipe: Connection) -> None:
-        self._pipe, self._sending = pipe, threading.Lock()
+        self._pipe, self._out = pipe, EstimateLine(pipe)
+        self._waiting: deque[bytes] = deque(maxlen=BACKLOG)  # estimates
+        self._passing = threading.Lock()
 
     def send(self, message: object) -> None:
-        with self._sending, contextlib.suppress(OSError, ValueError):  # noticed on reading
-            self._pipe.send(message)
+        """May wait for a window that does not read."""
+        with contextlib.suppress(StreamError):  # its end is noticed on reading
+            self._out.write(ForkingPickler.dumps(message))
+        self._pass_estimates()
 
     def send_estimate(self, item: Estimated) -> None:
-        """As `send`, in a tenth of the time."""
-        data = item.packed()
-        with self._sending, contextlib.suppress(OSError, ValueError):
-            self._pipe.send_bytes(data)
+        """Never waits on Linux: what a window that hangs does not accept is sent with the next
+        one, and the oldest of more than `BACKLOG` are discarded."""
+        self._waiting.append(item.packed())
+        self._pass_estimates()
+
+    def _pass_estimates(self) -> None:
+        if not self._passing.acquire(blocking=False):
+            return
+        try:
+            while self._waiting and self._out.offer(self._waiting[0]):
+                self._waiting.popleft()
+        finally:
+            self._passing.release()
 
     def receive(self) -> Any:
         """Waits for a message. Raises EOFError or OSError when the window has ended."""
@@ -156,7 +170,8 @@ class Desk:
     def __init__(self, built: Built, line: Line) -> None:
         self._setup, self._line = built.setup, line
         self._room = Newsroom(built.setup)
-        self._ended, self._taken = threading.Event(), threading.Event()
+        self._ended, self._closed = threading.Event(), threading.Event()
+        self._taken = threading.Event()
         self._pause = 0.0
         self._reporter = threading.Thread(target=self._report, name="glovetrack-news", daemon=True)
         self._arrival: dict[int, tuple[float, float]] = {}  # of the last estimate, by hand
@@ -170,7 +185,8 @@ class Desk:
             self._targets["controls"] = self._setup.camera.controls
         for number, hand in enumerate(self._setup.hands):
             self._add_hand(number, hand)
-        line.send(Opened(tuple(facts_of(hand) for hand in self._setup.hands), built.begins))
+        facts = tuple(facts_of(hand) for hand in self._setup.hands)
+        line.send(Opened(facts, built.begins, built.scene))
 
     def _add_hand(self, number: int, setup: EngineSetup) -> None:
         if setup.live is None:
@@ -212,16 +228,28 @@ class Desk:
             return
 
     def close(self) -> None:
-        """Stop tracking, finish a recording, free the devices; at most `LONGEST_CLOSING`."""
-        threading.Thread(target=_end_later, name="glovetrack-end", daemon=True).start()
+        """Stop tracking, finish a recording, free the devices."""
+        threading.Thread(target=self._end_at_last, name="glovetrack-end", daemon=True).start()
         self._ended.set()
         self._requests.put(None)
         self._reporter.join()
         self._streams.end()
-        self._setup.engine.stop()
-        self._send_news()  # whether files are complete
-        self._setup.close()
-        self._room.pixels.close()
+        try:
+            self._setup.engine.stop()
+            self._send_news()  # whether files are complete
+        finally:
+            self._setup.close()
+            self._room.pixels.close()
+            self._closed.set()
+
+    def _end_at_last(self) -> None:
+        """End although a device or a disk hangs: nothing was written for `LONGEST_CLOSING`."""
+        written = -1
+        while (now := sum(file.written for file in self._room.files.values())) > written:
+            written = now
+            if self._closed.wait(LONGEST_CLOSING):
+                return
+        os._exit(1)
 
     def _work(self) -> None:
         while (asked := self._requests.get()) is not None:
@@ -258,16 +286,24 @@ class Desk:
             if not self._taken.wait(LOOK_EVERY):
                 continue
             self._taken.clear()
-            if self._ended.wait(self._pause):
+            if self._ended.wait(self._pause) or not self._send_news():
                 return
-            self._send_news()
             if settling > 0 and self._setup.tracked.latest_estimate() is not None:
                 settling -= max(self._pause, SHORTEST)
                 if settling <= 0:
                     freeze_permanent_objects()
 
-    def _send_news(self) -> None:
-        self._line.send(Received(*self._room.news()))
+    def _send_news(self) -> bool:
+        """Returns whether they could be collected; otherwise the window has to stop tracking, or it
+        would show that all is well."""
+        try:
+            news = Received(*self._room.news())
+        except Exception as error:  # noqa: BLE001 - of any device
+            _log.exception("The news could not be collected")
+            self._line.send(Failed(thread_failed("news", error)))
+            return False
+        self._line.send(news)
+        return True
 
 
 class _EngineTarget:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import pickle
 import threading
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from app.engines.apart.messages import Opened
 from app.engines.apart.source import Companions
-from app.engines.demo_camera import DemoChoice, demo_spec, start_camera
+from app.engines.demo_camera import DemoChoice, start_camera
 from app.engines.engine import Built, Send
 from app.engines.protocols import ReferenceHand
 from app.platform.tasks import JobProgress
@@ -35,7 +36,7 @@ class DemoSource:
     def companions(self, opened: Opened, send: Send) -> Companions:
         from app.engines.demo import GuidedWearer
 
-        scene = LaterScene(self)
+        scene = LaterScene(opened.scene)
         sides = [hand.glove.side for hand in opened.hands]
         truths = {side: ApartTruth(scene, side, opened.begins) for side in sides}
         if len(sides) > 1:  # two wearers follow no guidance
@@ -54,8 +55,9 @@ class DemoSource:
 class LaterScene:
     """The simulated hands, built when they are needed first, which takes a second."""
 
-    def __init__(self, source: DemoSource) -> None:
-        self._source = source
+    def __init__(self, spec: bytes) -> None:
+        """``spec`` is the pickled `DemoSpec` of the process: files may have changed since."""
+        self._spec = spec
         self._hands: dict[str, Simulation] = {}
         self._building = threading.Lock()
         self._thread: threading.Thread | None = None
@@ -66,8 +68,7 @@ class LaterScene:
             if not self._hands:
                 from tracker.simulation.demo import build_scene, hands_of
 
-                spec = demo_spec(self._source.seed, self._source.choice)
-                self._hands = hands_of(build_scene(spec))
+                self._hands = hands_of(build_scene(pickle.loads(self._spec)))
             return self._hands[side]
 
     def hand_if_built(self, side: str) -> Simulation | None:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import math
 import threading
 from collections.abc import Mapping
+from functools import partial
 from typing import Any
 
 from app.engines.apart.messages import FileNews
 from app.engines.apart.process import EngineProcess, process_ended
 from app.words import notice_text
+from tracker.base.clock import monotonic
 from tracker.messages import Message
 from tracker.sensors.camera import UnfitImages
 from tracker.sensors.camera_controls import CameraReport, Control, Locks
@@ -16,6 +19,7 @@ from tracker.sensors.camera_fixed import FixedSetting
 from tracker.sensors.glove_report import GloveReport
 
 CONTROLS = "controls"
+RENEW_AFTER = 0.5  # s
 
 
 class ApartGlove:
@@ -45,22 +49,41 @@ class ApartCamera:
 
 
 class ApartControls:
-    """`CameraControls`."""
+    """`CameraControls`: as they were `RENEW_AFTER` s ago at most, plus the time of a slow driver.
+    The window waits only for the first answer."""
 
     def __init__(self, process: EngineProcess) -> None:
         self._process = process
+        self._known: dict[str, Any] = {}
+        self._due: dict[str, float] = {}  # s, when each is asked for again
 
     def controls(self) -> tuple[Control, ...]:
-        return self._process.ask_or((), CONTROLS, "controls")
+        found: tuple[Control, ...] = self._latest("controls")
+        return found
 
     def reports(self) -> tuple[CameraReport, ...]:
-        return self._process.ask_or((), CONTROLS, "reports")
+        found: tuple[CameraReport, ...] = self._latest("reports")
+        return found
 
     def fixed(self) -> tuple[FixedSetting, ...]:
-        return self._process.ask_or((), CONTROLS, "fixed")
+        found: tuple[FixedSetting, ...] = self._latest("fixed")
+        return found
 
     def want(self, locks: Locks) -> None:
         self._process.tell(CONTROLS, "want", locks)
+        self._due.clear()
+
+    def _latest(self, what: str) -> Any:
+        if what not in self._known:
+            self._store(what, self._process.ask_or((), CONTROLS, what))
+        elif monotonic() >= self._due.get(what, 0.0):
+            self._due[what] = math.inf  # until there is an answer
+            self._process.ask_later(CONTROLS, what, answer=partial(self._store, what))
+        return self._known[what]
+
+    def _store(self, what: str, found: Any) -> None:
+        self._known[what] = found
+        self._due[what] = monotonic() + RENEW_AFTER
 
 
 class ApartFile:

@@ -24,7 +24,8 @@ from tracker.live.right_of_way import RightOfWay
 from tracker.messages import Event, StereoFrame
 from tracker.vision.colours import ColourProfile
 
-STOP_WAIT = 1.8  # s for threads and devices there to stop; a process that takes longer is ended
+STOP_WAIT = 1.8  # s that the window waits for threads and devices there to stop
+OPEN_WAIT = 40.0  # s, longer than the recorder's process has to begin a file
 LONGEST_STOP = 100.0  # s, if the end of a recording is waited for
 
 
@@ -58,7 +59,7 @@ class ApartEngine:
         """Pass on what arrives from now on."""
         self._parts, self._hands = parts, list(parts.hands.values())
         self._process.on_estimate, self._process.on_news = self._take_estimate, self._take
-        self._process.on_end = self._end
+        self._process.on_failure, self._process.on_end = self._fail, self._end
         self._process.begin_news()
 
     # --- what arrives
@@ -84,7 +85,8 @@ class ApartEngine:
             self._profile = news.profile
         if self._parts.camera is not None:
             self._parts.camera.unfit = news.unfit
-        self._failure = news.failure
+        if news.failure is not None:
+            self._fail(news.failure)
         for key, file in list(self._parts.files.items()):
             if key in news.files:
                 file.take(news.files[key])
@@ -95,10 +97,13 @@ class ApartEngine:
         self._parts.files.pop(key, None)
         self._process.tell("files", "forget", key)
 
+    def _fail(self, why: Notice) -> None:
+        self._failure = self._failure or why
+
     def _end(self) -> None:
         """The process has ended."""
         if not self._stopped:
-            self._failure = process_ended()
+            self._fail(process_ended())
         for file in list(self._parts.files.values()):
             file.end()
         self._reader.close()
@@ -109,7 +114,7 @@ class ApartEngine:
         self._process.ask("engine", "start")
 
     def stop(self, patience: float | None = None) -> None:
-        """Ends the process if that does not stop in time."""
+        """A process that does not stop in time completes its recording in the background."""
         if self._stopped:
             return
         self._stopped = True
@@ -118,7 +123,6 @@ class ApartEngine:
             self._process.ask("engine", "stop", patience, wait=wait, parallel=True)
         except DeviceError as error:
             self._events.put(Event.of(monotonic(), "error", notice_of(error)))
-            self._process.kill()
         for hand in self._parts.hands.values():
             hand.listeners.close()
 
@@ -161,12 +165,10 @@ class ApartEngine:
     def make_recorder(self, side: str, request: RecordingRequest) -> ApartFile:
         """Begin a file. Raises GlovetrackError or OSError."""
         key = next(self._keys)
+        self._process.ask("files", "open", side, key, request, wait=OPEN_WAIT, parallel=True)
         file = self._parts.files[key] = ApartFile(self._process, key)
-        try:
-            self._process.ask("files", "open", side, key, request, wait=40.0, parallel=True)
-        except BaseException:
-            self._parts.files.pop(key, None)
-            raise
+        if self._process.ended.is_set():  # meanwhile
+            file.end()
         return file
 
     def set_recorder(self, recorder: RecordedFile | None) -> None:

@@ -126,7 +126,7 @@ class ApartHand:
     def command(
         self, work: Callable[[Engine], T], answer: Callable[[T], None] | None = None
     ) -> None:
-        self._process.command(self._target, work, answer)
+        self._process.ask_later(self._target, "command", work, answer=answer)
 
     def reset_pose(self) -> None:
         self._process.tell(self._target, "reset_pose")
@@ -148,7 +148,7 @@ class ApartHand:
 
     def set_reference(self, name: str | None) -> None:
         """Raises ConfigError for an unknown name."""
-        self._process.ask(self._target, "set_reference", name, parallel=True)
+        self._process.ask_or(None, self._target, "set_reference", name)
 
     def reference_estimate(self) -> Estimate | None:
         return self._reference

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from app.engines.engine import CameraPart, GlovePart
 from tracker.base.clock import ClockAnchor
-from tracker.base.notices import Notice
+from tracker.base.notices import Notice, failure
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.live.history import SearchedImage
@@ -93,10 +93,12 @@ class HandFacts:
 
 @dataclass(frozen=True, eq=False)
 class Opened:
-    """The engine is built. ``begins``: s of the monotonic clock, when a simulated motion begins."""
+    """The engine is built. For a simulated one: when (s of the monotonic clock) the motion begins,
+    and the pickled specification of the scene."""
 
     hands: tuple[HandFacts, ...]
     begins: float = 0.0
+    scene: bytes = b""
 
 
 class Estimated(NamedTuple):
@@ -185,6 +187,18 @@ class Taken:
     """The news were read; the next may follow after ``pause`` s."""
 
     pause: float
+
+
+@dataclass(frozen=True)
+class Failed:
+    """Why tracking cannot continue."""
+
+    why: Notice
+
+
+def thread_failed(thread: str, error: Exception) -> Notice:
+    """The notice of a thread that has ended by ``error``."""
+    return failure("thread.failed", thread=thread, type=type(error).__name__, why=str(error))
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import itertools
 import logging
 import pickle
@@ -17,11 +18,13 @@ from app.engines.apart.messages import (
     Answered,
     Asked,
     Estimated,
+    Failed,
     Logged,
     Opened,
     Progressed,
     Received,
     Taken,
+    thread_failed,
 )
 from app.engines.apart.source import Source
 from app.platform.tasks import JobProgress
@@ -46,8 +49,8 @@ def process_ended() -> Notice:
 class EngineProcess:
     """Opens ``source`` in a process. Methods may be called from any thread.
 
-    ``on_estimate`` and ``on_news`` are called in a thread of it, ``on_end`` there, too, when the
-    process has ended.
+    ``on_estimate`` and ``on_news`` are called in a thread of it; ``on_failure``, there, too, with
+    the reason when it fails, and ``on_end`` when the process has ended.
     """
 
     def __init__(self, source: Source) -> None:
@@ -66,7 +69,9 @@ class EngineProcess:
         self.ended = threading.Event()
         self.on_estimate: Callable[[Estimated], None] = lambda _: None
         self.on_news: Callable[[Received], None] = lambda _: None
+        self.on_failure: Callable[[Notice], None] = lambda _: None
         self.on_end: Callable[[], None] = lambda: None
+        atexit.register(self.close)  # or the end of the program would wait for the process
         self._thread = threading.Thread(
             target=self._read, name="glovetrack-engine-news", daemon=True
         )
@@ -80,15 +85,11 @@ class EngineProcess:
 
     def wait_opened(self, progress: JobProgress) -> Opened:
         """Waits until the engine is built. Raises what building it has raised, and Cancelled."""
-        try:
-            while True:
-                try:
-                    return self._opened.result(LOOK_EVERY)
-                except FutureTimeout:
-                    progress(*self._progress)
-        except BaseException:
-            self.kill()
-            raise
+        while True:
+            try:
+                return self._opened.result(LOOK_EVERY)
+            except FutureTimeout:
+                progress(*self._progress)
 
     def begin_news(self) -> None:
         """Receive news from now on."""
@@ -149,14 +150,14 @@ class EngineProcess:
             return default
         return found
 
-    def command(
-        self, target: str, work: Callable[..., Any], answer: Callable[[Any], None] | None
+    def ask_later(
+        self, target: str, method: str, *args: Any, answer: Callable[[Any], None] | None
     ) -> None:
-        """Runs ``work`` on the engine's thread; ``answer`` is called in another thread."""
+        """Calls a method there; ``answer`` receives the result in another thread."""
         number = next(self._numbers)
         if answer is not None:
             self._answers[number] = answer
-        self._send(Asked(number, target, "command", (work,)))
+        self._send(Asked(number, target, method, args, waits=True))
 
     def _send(self, item: object) -> bool:
         with self._sending:
@@ -177,21 +178,30 @@ class EngineProcess:
     # --- what arrives
 
     def _read(self) -> None:
-        try:
-            while True:
-                data = self._pipe.recv_bytes()
+        while (data := self._received()) is not None:
+            try:
                 if data.startswith(MARK):
                     self.on_estimate(Estimated.unpacked(data))
                 else:
                     self._take(pickle.loads(data))
-        except (EOFError, OSError):
-            self.ended.set()
+            except Exception as error:  # noqa: BLE001 - of any listener: tracking stops visibly
+                _log.exception("A message of the process could not be processed")
+                self.on_failure(thread_failed("news", error))
+        self.ended.set()
+        atexit.unregister(self.close)
         with self._sending:
             self._pipe.close()
         for future in (*self._waiting.values(), self._opened):
             if not future.done():
                 future.set_exception(DeviceError(process_ended()))
         self.on_end()
+
+    def _received(self) -> bytes | None:
+        """The next message; None when the process has ended."""
+        try:
+            return self._pipe.recv_bytes()
+        except (EOFError, OSError):
+            return None
 
     def _take(self, item: object) -> None:
         match item:
@@ -204,21 +214,23 @@ class EngineProcess:
                 self._progress = item.fraction, item.text
             case Opened():
                 self._opened.set_result(item)
+            case Failed():
+                self.on_failure(item.why)
             case Logged():
                 logging.getLogger(item.name).log(item.level, "%s", item.text)
 
     def _answer(self, item: Answered) -> None:
         future = self._waiting.get(item.number) if item.number else self._opened
         if future is None:
-            self._answer_command(item)
+            self._answer_later(item)
         elif item.error is not None:
             future.set_exception(item.error)
         else:
             future.set_result(item.result)
 
-    def _answer_command(self, item: Answered) -> None:
+    def _answer_later(self, item: Answered) -> None:
         answer = self._answers.pop(item.number, None)
         if item.error is not None:
-            _log.error("A command to the engine failed", exc_info=item.error)
+            _log.error("A request to the process failed", exc_info=item.error)
         elif answer is not None:
             answer(item.result)

@@ -27,7 +27,11 @@ def apart_factory(
 
     def build(progress: JobProgress) -> EngineSetup:
         process = waiting.pop() if waiting else EngineProcess(source)
-        return apart_setup(process, process.wait_opened(progress))
+        try:
+            return apart_setup(process, process.wait_opened(progress))
+        except BaseException:  # also Cancelled: no process may remain
+            process.kill()
+            raise
 
     return build
 
