@@ -321,7 +321,7 @@ def test_estimates_arrive_at_once_for_those_who_follow(connect):
 
 
 def test_a_window_that_hangs_does_not_delay_the_engine(connect):
-    """The window stops reading: the engine's thread goes on, and the newest estimates arrive."""
+    """The window stops reading: the engine's thread continues, and the newest estimates arrive."""
     engine, hangs, goes_on = Subscribed(), threading.Event(), threading.Event()
     setup = connect(scripted_setup(engine))
     seen = []
