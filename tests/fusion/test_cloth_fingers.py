@@ -147,15 +147,15 @@ def test_nothing_is_claimed_where_the_background_has_the_gloves_colours(
     assert np.array_equal(after.keypoint_sd, before.keypoint_sd)
 
 
-def test_fingers_that_merge_with_an_object_follow_their_neighbours_exactly(
+def test_fingers_that_merge_with_an_object_stay_near_their_neighbours_posture(
     hand: HandModel, glove: GloveModel
 ) -> None:
-    """A dark cushion under them: nothing suggests that they follow, or do not."""
+    """A dark cushion under them: nothing suggests that they do not follow."""
     scene = Scene(hand, glove, {"ring": (0.0, 0.0), "little": (20.0, 30.0)})
     before = scene.estimate()
     after = scene.look(radius=0.06)
     assert len(scene.fingers.saved.posterior)
-    assert np.array_equal(after.keypoints, before.keypoints)
+    assert np.linalg.norm(after.keypoints - before.keypoints, axis=1).max() < 0.015
     assert np.array_equal(after.keypoint_state, before.keypoint_state)
     for name in TIPS:
         off, sd, _ = scene.point(after, name)

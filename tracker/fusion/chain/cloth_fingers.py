@@ -19,7 +19,6 @@ from tracker.fusion.chain.finger_grid import (
     FingerFit,
     aged,
     fit,
-    following,
     prior,
     variance_about,
 )
@@ -81,26 +80,21 @@ class ClothFingersSavedState:
     @property
     def is_fitted(self) -> NDArray[np.bool_]:
         """(d,) whether a finger is displayed as fitted: the cloth shows it, or not where its
-        neighbour suggests. Others follow their neighbours."""
+        neighbour suggests. Others follow their neighbours as far as the images allow."""
         return np.asarray((self.evidence >= HIDDEN_BELOW) | (self.follows < REFUTED))
 
 
-class _Digit(NamedTuple):
-    """Segments of a finger without sensors, and the finger that it follows: either one of those
-    before it (``follows`` ≥ 0), or sensed, with these columns of its flexions among the angles."""
-
-    segments: tuple[int, int, int]
-    follows: int
-    columns: tuple[int, int]
+_Digit = tuple[int, int, int]  # segments of a finger without sensors
 
 
 class _Hand(NamedTuple):
-    """The displayed hand: R_GB (S, 3, 3), p_GB (S, 3) m, scale (S, 3), angles (J,) rad."""
+    """The displayed hand: R_GB (S, 3, 3), p_GB (S, 3) m, scale (S, 3); and the segments it was
+    completed from, as for `Completion`."""
 
     R: Array
     p: Array
     scale: Array
-    angles: Array
+    active: tuple[Array, Array, Array]
 
 
 class ClothFingers:
@@ -109,9 +103,9 @@ class ClothFingers:
     def __init__(self, layout: ChainLayout, rig: StereoRig, shown: ShownHand) -> None:
         self._layout, self._rig, self._shown = layout, rig, shown
         self.digits = _digits(layout)
-        segments = [s for d in self.digits for s in d.segments]
-        self._known = KnownParts.of(layout.hand, segments, [d.segments[0] for d in self.digits])
-        self._rows = [FingerRows.of(layout.hand, d.segments) for d in self.digits]
+        segments = [s for d in self.digits for s in d]
+        self._known = KnownParts.of(layout.hand, segments, [d[0] for d in self.digits])
+        self._rows = [FingerRows.of(layout.hand, d) for d in self.digits]
         self.saved = ClothFingersSavedState()
 
     # ---- state
@@ -137,8 +131,7 @@ class ClothFingers:
         if not now.is_shown:
             self._shown.show_fingers(None)
             return
-        angles = now.posture[:, [FLEXION, ASIDE, BEND, BEND]] * (1.0, 1.0, 1.0, UNLOADED)
-        # eq. 72
+        # eq. 73
         seen = np.clip((now.evidence - HIDDEN_BELOW) / (SEEN_FROM - HIDDEN_BELOW), 0.0, 1.0)
         variance, fitted = now.joint_variance + BODY_SD**2, now.is_fitted
         hidden = (fitted * (1.0 - seen))[:, None] * (np.arange(JOINTS) > 0)
@@ -146,7 +139,14 @@ class ClothFingers:
         rows = tuple(self._rows)
         self._shown.show_fingers(
             MeasuredFingers(
-                now.t, rows, angles, now.origin, variance, now.angle_sd, fitted, seen >= 1.0
+                now.t,
+                rows,
+                _angles(now.posture),
+                now.origin,
+                variance,
+                now.angle_sd,
+                fitted,
+                seen >= 1.0,
             )
         )
 
@@ -158,7 +158,7 @@ class ClothFingers:
         cloths = [b.cloth if b is not None else None for b in (frame.left, frame.right)]
         if not self.digits or 0.0 <= dt < APART:
             return
-        hand = _Hand(*self._complete(state))
+        hand = self._complete(state)
         fingers = [self._finger(d, hand, pose) for d in self.digits]
         views = finger_views(
             self._rig, pose, cloths, self._known.capsules(hand.R, hand.p, hand.scale), fingers
@@ -169,14 +169,14 @@ class ClothFingers:
         self._fit(hand, fingers, views, dt if dt >= 0.0 else np.inf, state.t)
         self._show()
 
-    def _complete(self, state: ChainState) -> tuple[Array, Array, Array, Array]:
-        p_GB = segment_positions(state, self._layout)
-        return self._shown.complete(state.R_GB, p_GB, state.scale3())[:4]
+    def _complete(self, state: ChainState) -> _Hand:
+        active = state.R_GB, segment_positions(state, self._layout), state.scale3()
+        return _Hand(*self._shown.complete(*active)[:3], active)
 
     def _finger(self, digit: _Digit, hand: _Hand, pose: CameraPose) -> Finger:
         """The finger's geometry in C."""
-        model, root, first = self._layout.hand, self._layout.hand.root, digit.segments[0]
-        segments = [model.segments[s] for s in digit.segments]
+        model, root, first = self._layout.hand, self._layout.hand.root, digit[0]
+        segments = [model.segments[s] for s in digit]
         base = hand.p[root] + hand.R[root] @ (hand.scale[root] * segments[0].origin)
         palm = pose.R_GC.T @ hand.R[root]
         return Finger(
@@ -199,24 +199,24 @@ class ClothFingers:
             np.zeros((d, 4)), np.zeros(d), np.zeros(d), np.zeros((d, 3)), t, is_shown=True,
         )  # fmt: skip
         share = min(dt / INDEPENDENT_AFTER, 1.0)
-        for k, digit in enumerate(self.digits):
+        for k in range(d):
             later = range(k + 1, d if known else 0)
             others = [(fingers[i], now.best[i]) for i in range(k)]
             others += [(fingers[i], before.best[i]) for i in later]
-            neighbour = self._neighbour(digit, hand, now.posture)
-            follows = following(*neighbour)
-            alone = prior(follows)
+            neighbour = self._neighbour(k, hand, now.posture)
+            alone = prior(neighbour)
             start = aged(before.posterior[k], alone, dt) if known else alone
             likelihoods = finger_fit(fingers[k], others, self._rig, views)
-            self._put(now, k, fingers[k], fit(start, follows, likelihoods.of, share))
+            found = fit(start, neighbour, likelihoods.of, share)
+            self._put(now, k, fingers[k], found)
             now.evidence[k] = min(now.evidence[k], LEAST_RIM * likelihoods.rim(now.best[k]))
             if not now.is_fitted[k]:
-                now.posture[k] = _posture(*neighbour)
+                now.posture[k] = found.hidden
                 spread = variance_about(now.posterior[k], fingers[k], now.posture[k])
                 now.joint_variance[k] = spread
         root = self._layout.hand.root
         for k, digit in enumerate(self.digits):
-            now.origin[k] = self._layout.hand.segments[digit.segments[0]].origin
+            now.origin[k] = self._layout.hand.segments[digit[0]].origin
             now.origin[k, :2] += now.posture[k, :2] / hand.scale[root, :2]
         self.saved = now
 
@@ -231,18 +231,21 @@ class ClothFingers:
         now.joint_variance[k] = found.weights @ ((joints - shown) ** 2).sum(axis=2) / 3
         now.angle_sd[k] = np.sqrt(found.weights @ off[:, [FLEXION, ASIDE, BEND]] ** 2)
 
-    def _neighbour(self, digit: _Digit, hand: _Hand, postures: Array) -> tuple[float, float]:
-        """Flexions of the first two joints of the finger that a digit follows, rad."""
-        if digit.follows >= 0:
-            return float(postures[digit.follows, FLEXION]), float(postures[digit.follows, BEND])
-        return float(hand.angles[digit.columns[0]]), float(hand.angles[digit.columns[1]])
+    def _neighbour(self, k: int, hand: _Hand, postures: Array) -> Array:
+        """(5,) the posture of the finger ``k`` that follows its neighbour as the hand file has it,
+        where the fingers before have these ``postures``."""
+        measured: dict[int, float] = {}
+        for row, values in zip(self._rows[:k], _angles(postures), strict=False):
+            measured.update(zip(row.columns, values.tolist(), strict=True))
+        angles = self._shown.complete.angles_with(*hand.active, measured)
+        posture = np.zeros(5)
+        posture[[FLEXION, ASIDE, BEND]] = angles[list(self._rows[k].columns[:3])]
+        return posture
 
 
-def _posture(flexion: float, bend: float) -> Array:
-    """(5,) with these flexions, rad, of the first and second joint."""
-    posture = np.zeros(5)
-    posture[FLEXION], posture[BEND] = flexion, bend
-    return posture
+def _angles(postures: Array) -> Array:
+    """(d, 4) rad of the columns of `FingerRows`, of postures (d, 5)."""
+    return np.asarray(postures[:, [FLEXION, ASIDE, BEND, BEND]] * (1.0, 1.0, 1.0, UNLOADED))
 
 
 def _digits(layout: ChainLayout) -> tuple[_Digit, ...]:
@@ -256,9 +259,7 @@ def _digits(layout: ChainLayout) -> tuple[_Digit, ...]:
         sensed = [hand.index[s] in layout.row_of for s in CHAINS[other][:2]]
         if {first, second, third} & set(layout.row_of) or not (other in out or all(sensed)):
             continue
-        flexions = [hand.axis_columns[hand.index[s]][1] for s in CHAINS[other][:2]]
-        follows = list(out).index(other) if other in out else -1
-        out[finger] = _Digit((first, second, third), follows, (flexions[0], flexions[1]))
+        out[finger] = first, second, third
     return tuple(out.values())
 
 

@@ -39,8 +39,8 @@ GRID = np.stack(np.meshgrid(*AXES, indexing="ij"), axis=-1).reshape(-1, len(AXES
 JOINT_SD = 1e-3 * np.array([4.0, 2.0])  # m: hand files differ from hands in where knuckles are
 FLEXION_SD, BEND_SD = np.deg2rad(24.0), np.deg2rad(26.0)  # rad, about the neighbouring finger's
 ASIDE_SD = np.deg2rad(5.0)  # rad
-INDEPENDENT = 0.4  # probability that a finger does not follow its neighbour: people point
-STAYS = 0.45  # share of the probabilities that is still valid after `PERIOD`
+INDEPENDENT = 0.3  # probability that a finger does not follow its neighbour: people point
+STAYS = 0.6  # share of the probabilities that is still valid after `PERIOD`
 MOVES = np.deg2rad([12.0, 5.0, 12.0])  # rad in `PERIOD`, flexion, abduction and bend
 JOINT_STAYS = 0.97  # as `STAYS`, of where the knuckle is
 PERIOD = 0.1  # s
@@ -48,19 +48,22 @@ KNUCKLES = SHAPE[JOINT_X] * SHAPE[JOINT_Y]
 NOMINAL = GRID[: len(GRID) // KNUCKLES] * (0.0, 0.0, 1.0, 1.0, 1.0)
 POSTURES = 30  # that are evaluated with the knuckle anywhere
 KEPT, UNLIKELY = 16, 9.0  # cells that are divided, and ln of their least probability, relative
+ATTRACTS = 4.0  # ln of the likelihood ratio, maximum, for the posture of a hidden finger
 TINY = 1e-12
 
 
 class FingerFit(NamedTuple):
     """posterior (G,) of the cells of `GRID`; postures (n, 5) at the end of the divisions and their
     weights (n,); evidence, ln of the highest likelihood ratio of a finger to none; follows, ln of
-    the likelihood ratio of a finger that follows its neighbour to one that does not."""
+    the likelihood ratio of a finger that follows its neighbour to one that does not; hidden (5,),
+    the posture if the finger is hidden."""
 
     posterior: Array
     postures: Array
     weights: Array
     evidence: float
     follows: float
+    hidden: Array
 
 
 def _halves(share: tuple[float, ...]) -> Array:
@@ -82,17 +85,17 @@ def _alone() -> Array:
 ALONE = _alone()
 
 
-def following(flexion: float, bend: float) -> Array:
-    """(G,) of a finger that follows one with these flexions of its first and second joint, rad."""
-    of_flexion = np.exp(-0.5 * ((AXES[FLEXION] - flexion) / FLEXION_SD) ** 2)
-    of_bend = np.exp(-0.5 * ((AXES[BEND] - bend) / BEND_SD) ** 2)
+def following(neighbour: Array) -> Array:
+    """(G,) of a finger that follows one in the posture ``neighbour`` (5,)."""
+    of_flexion = np.exp(-0.5 * ((AXES[FLEXION] - neighbour[FLEXION]) / FLEXION_SD) ** 2)
+    of_bend = np.exp(-0.5 * ((AXES[BEND] - neighbour[BEND]) / BEND_SD) ** 2)
     near = (ALONE.reshape(SHAPE) * of_flexion[:, None, None] * of_bend).reshape(-1)
     return np.asarray(near / near.sum())
 
 
-def prior(follows: Array) -> Array:
-    """(G,) of a finger that ``follows`` (G,) its neighbour, or not."""
-    return np.asarray((1 - INDEPENDENT) * follows + INDEPENDENT * ALONE)
+def prior(neighbour: Array) -> Array:
+    """(G,) of a finger that follows one in the posture ``neighbour`` (5,), or not."""
+    return np.asarray((1 - INDEPENDENT) * following(neighbour) + INDEPENDENT * ALONE)
 
 
 def aged(posterior: Array, before: Array, dt: float) -> Array:
@@ -130,11 +133,11 @@ def _spread(n: int, sd: float) -> Array:
 
 
 def fit(
-    before: Array, follows: Array, likelihoods: Callable[[Array], Array], share: float
+    before: Array, neighbour: Array, likelihoods: Callable[[Array], Array], share: float
 ) -> FingerFit:
-    """The finger after an image: ``before`` (G,) it, ``follows`` (G,) of one that follows its
-    neighbour; ``likelihoods`` (n, 5) -> (n,) are ln of likelihood ratios, of which the ``share`` is
-    independent of earlier images."""
+    """The finger after an image: ``before`` (G,) it; ``neighbour`` (5,) is the posture in which it
+    follows its neighbour; ``likelihoods`` (n, 5) -> (n,) are ln of likelihood ratios, of which the
+    ``share`` is independent of earlier images."""
     logs = np.log(before + TINY)
     likely = share * _coarse(logs, likelihoods, share)
     # Divide the most probable cells twice; a divided cell has the mean of its parts.
@@ -149,10 +152,24 @@ def fit(
             kept = _likeliest(share * values + log_prior)
             postures, log_prior = postures[kept], log_prior[kept]
     weights = _normal(share * values + log_prior)
-    ratios = np.exp(likely - likely.max())
+    ratios, follows = np.exp(likely - likely.max()), following(neighbour)
     to_none = float(np.log((follows @ ratios + TINY) / (ALONE @ ratios + TINY)))
     posterior = before * ratios / (before @ ratios)
-    return FingerFit(posterior, postures, weights, float(values.max()), to_none)
+    evidence, hidden = float(values.max()), _unless_refuted(neighbour, follows, likely)
+    return FingerFit(posterior, postures, weights, evidence, to_none, hidden)
+
+
+def _unless_refuted(neighbour: Array, follows: Array, likely: Array) -> Array:
+    """(5,) the posture of a hidden finger: its ``neighbour``'s (5,), displaced to where the image
+    does not refute it (eq. 72).
+
+    Without an outline, the cloth at a posture may be that of other parts, so it is weak evidence
+    for the finger. That there is no cloth is strong evidence against it.
+    """
+    left = follows * np.exp(np.minimum(likely, ATTRACTS))
+    shift = left @ GRID / (left.sum() + TINY**2) - follows @ GRID
+    shift[[JOINT_X, JOINT_Y]] = 0.0
+    return np.asarray(neighbour + shift)
 
 
 def variance_about(posterior: Array, finger: Finger, posture: Array) -> Array:

@@ -87,6 +87,15 @@ class Completion:
             origins[row] = at
         self.tables = self.tables._replace(measured=measured, origin=origins)
 
+    def angles_with(self, R: Array, p: Array, scale3: Array, angles: Mapping[int, float]) -> Array:
+        """(J,) rad, the angles of the completed hand, as `__call__`, if only these ``angles`` (rad,
+        by their columns) were measured apart from the filter."""
+        measured = self._nominal.measured.copy()
+        for column, angle in angles.items():
+            measured[column] = angle
+        active = ActiveSegments(np.ascontiguousarray(R), p, scale3)
+        return complete(self.tables._replace(measured=measured), active)[3]
+
     def __call__(
         self, R: Array, p: Array, scale3: Array
     ) -> tuple[Array, Array, Array, Array, BoolVector]:

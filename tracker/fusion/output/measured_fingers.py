@@ -38,8 +38,8 @@ class MeasuredFingers(NamedTuple):
     """For d fingers, measured at the time ``t`` (s): angles (d, 4) rad of the columns of ``rows``,
     origin (d, 3) m of their first segments in the nominal B of the palm, variance (d, 4) m² per
     axis of the joints and the tip relative to the palm, angle_sd (d, 3) rad without the last joint,
-    whether the fit is displayed (d,), where not the finger follows its neighbour, and whether the
-    finger was seen (d,)."""
+    whether the fit is displayed (d,), else the neighbour's posture as far as the images allow, and
+    whether the finger was seen (d,)."""
 
     t: float
     rows: tuple[FingerRows, ...]
@@ -51,12 +51,12 @@ class MeasuredFingers(NamedTuple):
     is_seen: NDArray[np.bool_]
 
     def placed(self) -> tuple[dict[int, float], dict[int, Array]]:
-        """Angles by their columns and origins by their segments, of fitted fingers."""
+        """Angles by their columns and origins by their segments."""
         angles: dict[int, float] = {}
         origin: dict[int, Array] = {}
-        for k in np.flatnonzero(self.is_fitted):
-            angles.update(zip(self.rows[k].columns, self.angles[k].tolist(), strict=True))
-            origin[self.rows[k].segments[0]] = self.origin[k]
+        for k, row in enumerate(self.rows):
+            angles.update(zip(row.columns, self.angles[k].tolist(), strict=True))
+            origin[row.segments[0]] = self.origin[k]
         return angles, origin
 
     def judged(
