@@ -22,7 +22,7 @@ from tracker.session.writer import RecorderParams, SessionRecorder
 
 __all__ = ["no_leaks", "qtbot", "store", "window"]
 
-DURATION = 60.0  # s
+DURATION = 24.0  # s
 START = 0.5  # s of the simulation at the session's first estimate
 
 
@@ -88,7 +88,7 @@ def wearer() -> Wearer:
 
 @pytest.fixture(scope="session")
 def tracked(wearer: Wearer, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A minute with noise of 1 mm."""
+    """24 s with noise of 1 mm."""
     return wearer.session(tmp_path_factory.mktemp("reference") / "tracked.mcap", 0.001)
 
 
@@ -111,6 +111,6 @@ def imported(tracked: Path, faulty: Path, tmp_path_factory: pytest.TempPathFacto
 @pytest.fixture(scope="session")
 def faulty(wearer: Wearer, tmp_path_factory: pytest.TempPathFactory) -> Path:
     lab = replace(FAULTY, markers=markers(wearer))
-    _, x_L = lab.record(wearer, 59.0)
+    _, x_L = lab.record(wearer, 23.0)
     path = tmp_path_factory.mktemp("lab") / "faulty.c3d"
     return write_c3d(path, wearer.info.keypoint_names, x_L)

@@ -24,13 +24,13 @@ from tracker.session.reader import SessionReader
 
 
 def test_known_faults_are_recovered(wearer: Wearer, imported: Path) -> None:
-    """The estimates have 1 mm of noise per coordinate, 6000 instants of 22 points.
+    """The estimates have 1 mm of noise per coordinate, 2400 instants of 22 points.
 
     Time: a part of 2 s has 13 200 coordinates of at least 10 mm/s, so its offset has a standard
-    deviation below 1 mm / (√13200 · 10 mm/s) ≈ 0.9 ms, typically 0.05 ms; a line through 30 of them
-    over a minute has 0.05 / √30 ≈ 0.01 ms and 0.6 ppm. The interpolation between samples adds up to
-    0.04 ms. Bounds: 0.2 ms and 8 ppm, a tenth of the fault. Pose and offsets: 1 mm / √6000 ≈
-    0.013 mm per coordinate, divided by the lever of the hand's turns; 3 mm C3D floats are exact to
+    deviation below 1 mm / (√13200 · 10 mm/s) ≈ 0.9 ms, typically 0.05 ms; a line through 12 of them
+    over 24 s has 0.05 / √12 ≈ 0.015 ms and 2 ppm. The interpolation between samples adds up to
+    0.04 ms. Bounds: 0.2 ms and 8 ppm, a tenth of the fault. Pose and offsets: 1 mm / √2400 ≈
+    0.02 mm per coordinate, divided by the lever of the hand's turns; 3 mm C3D floats are exact to
     0.1 µm. Bounds: 0.03°, 0.5 mm, and 0.3 mm of the 5 mm."""
     found = json.loads(imported.with_name("report.json").read_text())
     timing = found["timing"]
@@ -84,13 +84,13 @@ def test_importing_again_replaces_the_reference(
     imported: Path, wearer: Wearer, tmp_path: Path
 ) -> None:
     second = tmp_path / "b.mcap"
-    _, x = Laboratory().record(wearer, 30.0)
+    _, x = Laboratory().record(wearer, 15.0)
     other = write_c3d(tmp_path / "other.c3d", wearer.info.keypoint_names, x)
     import_reference(other, imported, second)
     with SessionReader(second) as reader:
         found = read_imported(reader)
         names = [a.name for a in reader.source.attachments()]
-    assert found.about.file == "other.c3d" and len(found.stamp_ns) == round(30 * RATE)
+    assert found.about.file == "other.c3d" and len(found.stamp_ns) == round(15 * RATE)
     assert names.count("reference_right.json") == 1
 
 

@@ -40,6 +40,7 @@ def replayed(window: MainWindow, session: Path, qtbot) -> MainWindow:
 def open_in(window: MainWindow, path: Path, qtbot) -> None:
     window.sources.open_session(path)
     qtbot.waitUntil(lambda: replays(window, path), timeout=PATIENCE_MS)
+    window.host.setup.player.pause_at(0.0)  # playing takes a core from what is waited for
 
 
 def replays(window: MainWindow, path: Path) -> bool:
@@ -210,7 +211,7 @@ def test_closing_the_dialog_cancels_the_import(
 
 @pytest.fixture
 def with_reference(imported: Path, tmp_path: Path) -> Path:
-    """A minute with a reference."""
+    """24 s with a reference."""
     return Path(shutil.copy(imported, tmp_path / "P01.mcap"))
 
 

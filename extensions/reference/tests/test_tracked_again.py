@@ -20,7 +20,7 @@ from tracker.session.reader import SessionReader
 def test_the_new_session_has_the_reference(smooth: bool, tmp_path: Path) -> None:
     """So another engine's accuracy is reported without another import."""
     whole, referenced = tmp_path / "whole.mcap", tmp_path / "referenced.mcap"
-    simulate(whole, SimulateOptions(seed=4, duration=2.0, images=False))
+    simulate(whole, SimulateOptions(seed=4, duration=1.0, images=False))
     names = ("index_tip", "wrist")
     none = Registration(np.eye(3), np.zeros(3), 0.0, 1.0, np.zeros((2, 3)), np.zeros((2, 3)))
     about = Described(
