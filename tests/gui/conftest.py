@@ -18,8 +18,12 @@ from tests.gui.patience import patient
 
 
 @pytest.fixture
-def qtbot(qtbot):
-    """Waits while jobs make progress; see `patience`."""
+def qtbot(qtbot, request, qapp, monkeypatch):
+    """Waits while jobs make progress; see `patience`. Windows have no style sheet, which takes half
+    of the time of making one, unless the test, which measures or looks, is ``styled``."""
+    if request.node.get_closest_marker("styled") is None:
+        qapp.setStyleSheet("")  # of an earlier test
+        monkeypatch.setattr("app.window.theme.style_sheet", lambda colours: "")
     return patient(qtbot)
 
 
@@ -35,13 +39,6 @@ def no_leaks():
 
 def _ours() -> list[str]:
     return [t.name for t in threading.enumerate() if t.name.startswith("glovetrack")]
-
-
-@pytest.fixture
-def unstyled(monkeypatch):
-    """No style sheet, which takes half of the time of making a window: for tests that neither
-    measure nor look at anything."""
-    monkeypatch.setattr("app.window.theme.style_sheet", lambda colours: "")
 
 
 @pytest.fixture

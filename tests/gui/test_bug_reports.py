@@ -222,6 +222,7 @@ def test_a_bundle_contains_names_only_if_selected(session_file, tmp_path, person
     assert all(line in readme for line in contents(Choice(screenshot=False, personal=personal)))
 
 
+@pytest.mark.styled
 def test_a_report_is_saved_by_clicks_and_confirmed(live, qtbot, tmp_path):
     live.recording.participant.setText("Mustermann")
     live.store.update(participant="Mustermann")

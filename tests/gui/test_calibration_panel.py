@@ -276,6 +276,7 @@ def test_an_imported_profile_replaces_no_other_one(tmp_path):
     assert store.names() == sorted([first, second])
 
 
+@pytest.mark.styled
 def test_no_heading_of_the_table_is_cut_in_a_narrow_panel(qtbot):
     table = CalibrationTable()
     qtbot.addWidget(table)

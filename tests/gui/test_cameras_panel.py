@@ -130,6 +130,7 @@ def test_markers_out_of_view_are_dimmed_at_the_edge_where_they_left(view):
     assert all(isinstance(c, Cross) and c.u == EDGE_PX and c.opacity == DIM for c in crosses)
 
 
+@pytest.mark.styled
 def test_controls_wrap_in_a_narrow_panel(qtbot):
     box = QWidget()
     qtbot.addWidget(box)

@@ -223,6 +223,7 @@ def test_a_slow_measurement_of_the_light_is_not_discarded_for_the_next_one(
     assert isinstance(asked[1], tuple), "its result, not another measurement"
 
 
+@pytest.mark.styled
 def test_a_reason_without_a_button_takes_the_whole_width(listed, rig, qtbot):
     """On a small screen it was as narrow as next to the widest button of all."""
     row = next(r for r in listed.checklist._rows if r._name.text() == "Calibration settled")
@@ -237,6 +238,7 @@ def test_a_reason_without_a_button_takes_the_whole_width(listed, rig, qtbot):
     qtbot.waitUntil(lambda: row._reason.width() == alone.width())
 
 
+@pytest.mark.styled
 def test_in_a_narrow_panel_buttons_are_below_their_reasons(listed, rig, qtbot):
     """At 150 % in German a sentence occupied six lines of one word each."""
     rig.sd = 5.0

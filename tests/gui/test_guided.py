@@ -18,8 +18,6 @@ from tracker.hand.poses import POSES
 from tracker.messages import Event, Tracking, Validity
 from tracker.simulation.postures import posture
 
-pytestmark = pytest.mark.usefixtures("unstyled")
-
 
 class Posed(ScriptedEngine):
     """A tracked hand with the given ``angles`` (J,), and a filter that executes commands."""

@@ -60,6 +60,7 @@ def test_the_list_of_keys_has_every_command_that_has_one(window):
     assert ("Ctrl+1", "Cameras") in rows
 
 
+@pytest.mark.styled
 def test_a_chip_without_space_is_elided_at_a_letter(qtbot):
     chip = Chip()
     qtbot.addWidget(chip)

@@ -13,6 +13,8 @@ from app.widgets.image_canvas import ImageCanvas, Labels, Placing
 from app.widgets.image_shapes import Cross, Ellipse, ImageLabel, ImageLine, Ring
 from app.widgets.image_view import ImageView
 
+pytestmark = pytest.mark.styled
+
 SIZE = (120, 90)  # width and height of the canvas
 BACK = QColor("#203040")
 

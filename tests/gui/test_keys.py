@@ -90,6 +90,7 @@ def test_a_banner_about_missing_devices_leads_to_the_set_up(window, qtbot, monke
     assert window.docks["checklist"].isVisible() and not window.banner.isVisible()
 
 
+@pytest.mark.styled
 def test_the_first_window_fits_the_screen(window):
     room = window.screen().availableSize()
     fit_to_screen(window, (5 * room.width(), 5 * room.height()))

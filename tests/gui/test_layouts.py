@@ -49,6 +49,7 @@ def test_a_task_is_selected_with_one_click_and_shows_its_panels(watched, qtbot, 
         assert not watched.docks[group[0]].visibleRegion().isEmpty(), group[0]
 
 
+@pytest.mark.styled
 def test_watching_gives_all_space_to_images_and_hand(watched, qtbot):
     size_to(watched, SMALL, qtbot)
     shares = shares_of(watched, watched.docks)
@@ -57,6 +58,7 @@ def test_watching_gives_all_space_to_images_and_hand(watched, qtbot):
     assert min(h for _, h in shares.values()) > 0.85  # the tool bar has the rest
 
 
+@pytest.mark.styled
 def test_review_shows_more_than_one_session_next_to_the_transport(watched, qtbot):
     watched.layouts.choose("look")
     size_to(watched, SMALL, qtbot)
@@ -168,6 +170,7 @@ def test_a_panel_hidden_in_the_task_appears_when_requested(watched):
     assert not watched.docks["cameras"].visibleRegion().isEmpty()
 
 
+@pytest.mark.styled
 @pytest.mark.parametrize("width", [800, 1024, 1366])
 def test_the_tool_bar_shows_all_its_commands(watched, qtbot, width):
     size_to(watched, (width, 640), qtbot)
@@ -186,6 +189,7 @@ def test_the_tool_bar_shows_all_its_commands(watched, qtbot, width):
         assert button.toolTip()
 
 
+@pytest.mark.styled
 def test_the_window_is_never_larger_than_its_screen(window):
     room = window.screen().availableSize()
     fresh = QSize(window.minimumSize())

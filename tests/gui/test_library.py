@@ -265,6 +265,7 @@ def test_a_file_put_into_the_folder_appears_automatically(library, recorded, qtb
     qtbot.waitUntil(lambda: library.table.rowCount() == 1, timeout=20_000)
 
 
+@pytest.mark.styled
 def test_the_reference_is_named_and_so_are_the_engines_in_the_columns(window, tmp_path):
     controls = window.hand.controls
     other = controls.reference.findData("other")

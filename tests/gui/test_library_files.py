@@ -26,8 +26,6 @@ from tracker.session.export.formats import formats
 from tracker.session.export.options import DatasetOptions
 from tracker.session.reader import SessionReader
 
-pytestmark = pytest.mark.usefixtures("unstyled")
-
 NAMES = ("P01_pinch", "P01_fist", "P02_pinch")
 
 
@@ -152,6 +150,7 @@ def test_a_renamed_session_remains_selected_and_a_removed_one_moves_no_selection
     assert library.table.selected() == []
 
 
+@pytest.mark.styled
 def test_the_title_of_a_question_is_not_truncated(library, window, folder):
     """Frames write it in bold, between an icon and their buttons."""
     library.files.ask_name(folder / "P01_pinch.mcap")

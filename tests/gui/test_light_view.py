@@ -70,6 +70,7 @@ def test_the_checklist_requires_light_and_marks_problems_of_the_background(windo
     assert unread.reason == "Measuring the light…"  # images arrive already
 
 
+@pytest.mark.styled
 def test_another_text_for_the_light_does_not_move_the_layout(live, qtbot):
     live.show_panel("colours")
     chip, places = live.colours.light.chip, []

@@ -5,6 +5,8 @@ from PySide6.QtWidgets import QCheckBox, QPushButton
 
 from app.widgets.one_line import OneLine
 
+pytestmark = pytest.mark.styled
+
 
 @pytest.fixture
 def line(qtbot):

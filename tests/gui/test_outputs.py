@@ -21,8 +21,6 @@ from tests.notices import shows
 from tracker.base.errors import FileError
 from tracker.streaming.registry import StreamSettings, stream_kinds
 
-pytestmark = pytest.mark.usefixtures("unstyled")
-
 
 def sent(panel, name):
     """Number of messages shown as sent; -1 if the stream is off."""

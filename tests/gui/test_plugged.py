@@ -148,6 +148,7 @@ def test_from_a_take_one_returns_to_the_live_devices(window, searches):
     window.host._setup = None
 
 
+@pytest.mark.styled
 def test_a_message_never_covers_the_transport(live, qtbot):
     transport = live.library.transport
     live.layouts.choose("look")

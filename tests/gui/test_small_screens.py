@@ -10,6 +10,8 @@ from app.window.commands import ToolBar
 from app.window.main_window import SMALLEST
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 
+pytestmark = pytest.mark.styled
+
 SIZES = [(800, 500), (960, 540), (1366, 768)]  # the middle one is Full HD at 200 %
 
 

@@ -85,6 +85,7 @@ def test_a_first_start_shows_the_three_ways_alone_and_the_library_by_its_button(
     assert window.library.isVisible() and page.isVisible()
 
 
+@pytest.mark.styled
 @pytest.mark.parametrize("width", [650, 700, 830, 1366])
 def test_cards_do_not_overlap(started, qtbot, width):
     page = started.start_page
@@ -170,6 +171,7 @@ def test_a_truncated_session_is_reported_when_it_is_opened(started, sessions, qt
     assert started.banner.buttons[0].text() == "Show", "it has been recovered"
 
 
+@pytest.mark.styled
 def test_the_library_below_the_start_page_is_wide_and_has_its_buttons(started, qtbot):
     qtbot.mouseClick(started.start_page.library_button, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: started.library.table.rowCount() > 0, timeout=20_000)

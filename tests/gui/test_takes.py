@@ -55,8 +55,6 @@ from tracker.session.verify import is_ok, verify
 from tracker.session.writer import RecorderParams, SessionRecorder
 from tracker.vision.detector import Detector
 
-pytestmark = pytest.mark.usefixtures("unstyled")
-
 ENGINE_START = ClockAnchor(1_760_000_000_000_000_000, 7_000_000_000)
 WATCHED = 100.0  # s from the engine's start to Record
 SEEN = 1.0  # s of them, the last, in which devices gave something

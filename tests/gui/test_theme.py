@@ -16,6 +16,8 @@ from app.widgets.measures import SPACES, TYPES
 from app.widgets.view3d.view_3d import contrast_of, legible
 from app.window.theme import DARK, LIGHT, style_sheet
 
+pytestmark = pytest.mark.styled
+
 ROOT = Path(__file__).resolve().parents[2]
 
 COLLECTED_MEANWHILE = """

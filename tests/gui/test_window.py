@@ -218,6 +218,7 @@ def test_a_long_job_shows_progress_and_ends_when_cancelled(window, qtbot):
     assert not task.alive
 
 
+@pytest.mark.styled
 def test_theme_and_layout_come_back(window, store, qtbot, no_leaks):
     window.set_theme("dark")
     window.host.adopt(scripted_setup(ScriptedEngine()))
@@ -294,6 +295,7 @@ def test_the_latency_of_each_stage_is_a_command(window):
     assert "7.8 ms" in window.bar.chips["latency"].accessibleDescription()
 
 
+@pytest.mark.styled
 def test_without_space_a_field_is_omitted_instead_of_truncated(window, qtbot):
     """Two hands on a computer that leaves out all that it can, with a job running."""
     values = {"imu_rate_hz": 100.0, "frame_rate_hz": 30.0, "estimate_rate_hz": 100.0}
@@ -316,6 +318,7 @@ def test_without_space_a_field_is_omitted_instead_of_truncated(window, qtbot):
     assert bar.chips["losses"].isVisible(), "what is not fine stays"
 
 
+@pytest.mark.styled
 @pytest.mark.parametrize("width", [911, 1366])
 def test_latency_and_losses_are_shown_on_a_small_screen_at_150_percent(window, qtbot, width):
     """1366 px are 911 then; there they are short, and a recording is shown too."""
