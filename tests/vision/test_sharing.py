@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from tests.cloth_masks import cloth_of
 from tracker.messages import BlobFrame, Blobs
+from tracker.vision.cloth import cloth_map
 from tracker.vision.rig import ideal_rig
 from tracker.vision.sharing import OTHERS, HandInView, share, taken_twice
+from tracker.vision.tip_scan import INSIDE, NOTHING, cloth_at
 from tracker.vision.visibility import HandShape, MarkerRows, PosedHand
 
 RIG = ideal_rig()
@@ -93,3 +98,20 @@ def test_blobs_matched_by_two_hands_are_counted_once_each(seed: int) -> None:
     rng = np.random.default_rng(seed)
     a, b = rng.integers(-1, 9, int(rng.integers(0, 12))), rng.integers(-1, 9, 7)
     assert taken_twice(a, b) == len(np.intersect1d(a[a >= 0], b[b >= 0]))
+
+
+def test_cloth_at_the_other_hand_is_unknown() -> None:
+    a, b = at(-0.05, 0.0, 0.35), at(0.05, 0.0, 0.35)
+    everywhere = cloth_of(np.ones((RIG.left.height, RIG.left.width), bool))
+    frame = seen(np.array([a, b]))
+    assert frame.left is not None
+    frame = replace(frame, left=replace(frame.left, cloth=everywhere))
+    hands = [hand(a[None], away=0.0), hand(b[None], away=0.0)]
+    for k, own in enumerate(share(frame, hands, RIG, RIG.pose)):
+        assert own.left is not None and own.left.cloth is not None and own.right is not None
+        cloth = cloth_map(own.left.cloth)
+        classes = [cloth_at(cloth, *uv) for uv in own.left.uv]
+        assert classes == [[INSIDE, NOTHING], [NOTHING, INSIDE]][k]
+        assert len(own.left.cloth.tile) > 0.9 * len(everywhere.tile)
+    alone = share(frame, [hands[0], None], RIG, RIG.pose)
+    assert alone[0].left is not None and alone[0].left.cloth is everywhere

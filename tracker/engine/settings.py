@@ -32,7 +32,11 @@ class Settings:
     engines: dict[str, dict[str, Any]] = field(default_factory=dict)
 
 
-BEFORE: dict[str, dict[str, Any]] = {"timing": {"jitter": False}, "alignment": {"apply": False}}
+BEFORE: dict[str, dict[str, Any]] = {
+    "timing": {"jitter": False},
+    "alignment": {"apply": False},
+    "chain": {"cloth": {"fingers": False}},
+}
 """What the settings of recordings mean where they lack a key: what came later was not in use."""
 
 

@@ -20,6 +20,7 @@ from tracker.kernels.arrays import IntVector, Matrix, Stack, Vector
 from tracker.messages import Array, BlobFrame, Blobs, CameraPose, IntArray
 from tracker.vision.correspondence import FORBIDDEN, ExpectedPixels, GateParams, assigned
 from tracker.vision.cpd import HuedPixels
+from tracker.vision.other_cloth import without_hand
 from tracker.vision.rig import StereoIntrinsics, StereoRig, projected
 from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, seen_from, visibility_at
 
@@ -86,7 +87,8 @@ def share(
     pose: CameraPose,
     params: SharingParams | None = None,
 ) -> list[BlobFrame]:
-    """The frame for each hand: blobs of another hand get the hue `OTHERS`; rows are unchanged.
+    """The frame for each hand: blobs of another hand get the hue `OTHERS`, and cloth at another
+    hand is removed; rows are unchanged.
 
     A hand with unknown position is None: it may use the blobs that the others do not explain.
     """
@@ -100,6 +102,9 @@ def share(
         replace(frame, left=_own(frame.left, owners[0], i), right=_own(frame.right, owners[1], i))
         for i in range(len(hands))
     ]
+    for j in range(len(hands)):
+        for i, hand in known:
+            out[j] = out[j] if i == j else _away_from(hand.body, out[j], rig, pose)
     if len(known) > 1:
         for (i, hand), *p in zip(known, prior, alone, strict=True):
             out[i] = replace(out[i], unhidden=_unhidden(hand, *p))
@@ -138,6 +143,13 @@ def _own(blobs: Blobs | None, owner: IntArray, hand: int) -> Blobs | None:
         return None
     mine = (owner == hand) | (owner == UNASSIGNED)
     return blobs if mine.all() else replace(blobs, hue=np.where(mine, blobs.hue, OTHERS))
+
+
+def _away_from(body: PosedHand, frame: BlobFrame, rig: StereoRig, pose: CameraPose) -> BlobFrame:
+    """The frame without the cloth at a hand."""
+    left = without_hand(frame.left, body, rig, pose, right=False)
+    right = without_hand(frame.right, body, rig, pose, right=True)
+    return replace(frame, left=left, right=right)
 
 
 def _owners(

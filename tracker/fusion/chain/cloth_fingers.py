@@ -158,6 +158,9 @@ class ClothFingers:
         cloths = [b.cloth if b is not None else None for b in (frame.left, frame.right)]
         if not self.digits or 0.0 <= dt < APART:
             return
+        if all(c is None for c in cloths):
+            self.no_image(state.t)
+            return
         hand = self._complete(state)
         fingers = [self._finger(d, hand, pose) for d in self.digits]
         views = finger_views(

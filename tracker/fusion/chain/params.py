@@ -173,9 +173,9 @@ class GuidedParams:
 
 @dataclass(frozen=True)
 class ClothParams:
-    """Measurement of fingers without sensors by the glove's cloth, with learned colours."""
+    """Measurement of fingers without sensors by the glove's cloth, where colours were learned."""
 
-    fingers: bool = False
+    fingers: bool = True
 
 
 @dataclass(frozen=True)
