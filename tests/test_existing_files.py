@@ -163,6 +163,7 @@ ELSEWHERE |= {
     ("evaluate shutter", "--json"),
     ("evaluate effects", "--json"),
     ("evaluate gaps", "--json"),
+    ("evaluate fingers", "--json"),
     ("evaluate touch", "--json"),
 }  # minutes
 ELSEWHERE |= {("touch-test", "--output"), ("touch-test", "--json"), ("room align", "--out")}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from extensions.evaluation.effects.command import add_effects, evaluate_effects
 from extensions.evaluation.faults.command import add_faults, evaluate_faults
+from extensions.evaluation.fingers.command import add_fingers, evaluate_fingers
 from extensions.evaluation.gaps.command import add_gaps, evaluate_gaps
 from extensions.evaluation.gestures.command import add_gestures, evaluate_gestures
 from extensions.evaluation.hands.command import add_hands, evaluate_hands
@@ -56,6 +57,12 @@ EFFECTS = Command(
     "track hands with the errors of real cameras and IMUs, each alone and all at once",
     evaluate_effects,
     add=add_effects,
+)
+FINGERS = Command(
+    "evaluate fingers",
+    "track sessions with and without the glove's cloth; compare each fingertip with the true hand",
+    evaluate_fingers,
+    add=add_fingers,
 )
 GAPS = Command(
     "evaluate gaps",

@@ -23,5 +23,8 @@ TEXTS = {
     ),
     "vist.damaged_trial": "The stored trial {path} is damaged. Delete it to compute it again.",
     "evaluation.effects_options": "--participants must be at least 1, and --seconds at least 5.",
+    "evaluation.no_truth": (
+        "{file} does not contain a true hand. Choose a simulated session that was recorded with it."
+    ),
     "evaluation.gaps_options": "--participants must be at least 1, and --gaps between 0.1 and 60.",
 }

@@ -1,0 +1,1 @@
+"""``evaluate fingers``: each fingertip with and without the glove's cloth."""

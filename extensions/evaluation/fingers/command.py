@@ -1,0 +1,97 @@
+"""The command ``evaluate fingers``: each fingertip with and without the glove's cloth."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from tracker.base.terminal import add_json
+from tracker.messages import Array
+
+if TYPE_CHECKING:
+    from extensions.evaluation.fingers.trial import TipErrors
+
+
+class FingerRow(NamedTuple):
+    """One fingertip, with the cloth or without: mean error (mm), share of instants at which it is
+    reported as measured, mean errors (mm) of those instants and of the others (None where there are
+    none), and the share of errors within three standard deviations."""
+
+    tip: str
+    cloth: bool
+    error_mm: float
+    measured: float
+    measured_mm: float | None
+    inferred_mm: float | None
+    true: float
+
+
+def add_fingers(parser: argparse.ArgumentParser) -> None:
+    """Its arguments."""
+    parser.add_argument(
+        "sessions", nargs="+", metavar="SESSION", help="session with the true hand, as simulated"
+    )
+    parser.add_argument(
+        "--colours",
+        default="",
+        metavar="PROFILE",
+        help="colour profile that includes the glove's cloth (default: the recorded profile)",
+    )
+    add_json(parser)
+
+
+def evaluate_fingers(args: argparse.Namespace) -> int:
+    """Track each session with and without the cloth and print the figures of all together."""
+    from extensions.evaluation.fingers.trial import tips_of
+    from tracker.base.terminal import check_json, finish, progress_line
+
+    paths = [Path(name) for name in args.sessions]
+    check_json(args, paths)
+    rows: list[FingerRow] = []
+    for cloth in (False, True):
+        found = [
+            tips_of(path, args.colours, cloth, progress_line(f"tracking {path.name}"))
+            for path in paths
+        ]
+        rows += rows_of(found, cloth)
+    finish(args, {"rows": [row._asdict() for row in rows]}, table(rows), paths)
+    return 0
+
+
+def rows_of(found: Sequence[Mapping[str, TipErrors]], cloth: bool) -> list[FingerRow]:
+    """A row for each fingertip, over all sessions."""
+    rows = []
+    for tip in dict.fromkeys(name for tips in found for name in tips):
+        parts = [tips[tip] for tips in found if tip in tips]
+        error, sd, measured = (np.concatenate(values) for values in zip(*parts, strict=True))
+        if not len(error):
+            continue
+        seen, other = _mean_mm(error[measured]), _mean_mm(error[~measured])
+        mean, share = 1e3 * float(error.mean()), float(measured.mean())
+        true = float((error < 3 * sd).mean())
+        rows.append(FingerRow(tip, cloth, mean, share, seen, other, true))
+    return rows
+
+
+def _mean_mm(error: Array) -> float | None:
+    """The mean of errors in m; None if there are none."""
+    return 1e3 * float(error.mean()) if len(error) else None
+
+
+def table(rows: Sequence[FingerRow]) -> list[str]:
+    """The table as lines of text."""
+    lines = [
+        f"{'fingertip':<12}{'cloth':>7}{'error mm':>10}{'measured %':>12}{'measured mm':>13}"
+        f"{'inferred mm':>13}{'within 3 sd %':>15}"
+    ]
+    for r in sorted(rows, key=lambda row: [q.tip for q in rows].index(row.tip)):
+        states = "".join(f"{'-' if mm is None else f'{mm:.1f}':>13}" for mm in r[4:6])
+        lines.append(
+            f"{r.tip:<12}{'with' if r.cloth else 'without':>7}{r.error_mm:>10.1f}"
+            f"{100 * r.measured:>12.0f}{states}{100 * r.true:>15.1f}"
+        )
+    return lines
