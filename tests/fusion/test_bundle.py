@@ -92,7 +92,7 @@ def test_one_sweep_is_the_least_squares_solution(engine: ChainEngine, sim: Simul
     dense = np.linalg.solve(A, b)[3 * d :]
     scale = dense[lay.blocks.scale - n : lay.blocks.joint - n].reshape(-1, 2)
     assert np.allclose(found.scale, np.clip(state.scale + scale, 0.6, 1.5), atol=1e-9)
-    marker = dense[lay.blocks.marker - n :].reshape(-1, 3)
+    marker = dense[lay.blocks.marker - n : lay.blocks.axis - n].reshape(-1, 3)
     assert np.allclose(found.marker, state.marker + marker, atol=1e-9)
 
 

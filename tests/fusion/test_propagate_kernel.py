@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from tracker import GRAVITY
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.prior import initial_covariance
@@ -62,7 +63,7 @@ def test_covariance_moves_as_the_dense_product(
     rng, dt, n = np.random.default_rng(2), 0.01, layout.blocks.size
     state, sample = a_state(layout), packet(layout, 0.0, 3, silent)
     A = rng.normal(size=(n, n))
-    markers = np.arange(layout.blocks.marker, n)
+    markers = np.arange(layout.blocks.marker, layout.blocks.axis)
     A[markers] *= (
         ChainParams().noise.slip_most / np.sqrt(n) * rng.uniform(0.5, 1.5, (len(markers), 1))
     )
@@ -71,7 +72,7 @@ def test_covariance_moves_as_the_dense_product(
     F[: layout.n_dynamic, : layout.blocks.scale] = transition(state, layout, Moment.of(sample), dt)
     expected = F @ P @ F.T
     noise = ChainParams().noise
-    expected[np.diag_indices(n)] += kernel_noise(layout, bool(sample.valid[0]), dt)
+    expected[np.diag_indices(n)] += kernel_noise(layout, accel_noise(state, sample), dt)
     room = np.maximum(1 - P[markers, markers] / noise.slip_most**2, 0.0)
     assert 0 < np.mean(room == 0) < 1
     expected[markers, markers] += noise.slip**2 * dt * room
@@ -84,10 +85,18 @@ def test_covariance_moves_as_the_dense_product(
     assert np.array_equal(state.P, state.P.T)
 
 
-def kernel_noise(layout: ChainLayout, felt: bool, dt: float) -> Array:
+def accel_noise(state: ChainState, sample: ImuSample) -> float:
+    """m/s²·√s: grows with the acceleration of the hand, which the root's IMU measures."""
+    noise = ChainParams().noise
+    if not sample.valid[0]:
+        return noise.free_accel
+    a_G = state.R_GB[0] @ state.R_IB[0].T @ (sample.accel[0] - state.ba[0]) - [0, 0, GRAVITY]
+    return float(np.hypot(noise.accel, noise.accel_gain * np.linalg.norm(a_G)))
+
+
+def kernel_noise(layout: ChainLayout, accel: float, dt: float) -> Array:
     """(N,) variances as in the parameters, block by block; those of markers are 0 here."""
     noise, imus = ChainParams().noise, 3 * len(layout.glove.imus)
-    accel = noise.accel if felt else noise.free_accel
     blocks = [
         (3, accel**2 * dt**3 / 3),
         (3, accel**2 * dt),

@@ -40,6 +40,7 @@ EARLY = BundleParams(first_after=1.0, least_keyframes=4, least_blobs=6, apart=0.
 SAMPLES: dict[str, Callable[[Settings], Settings]] = {
     "chain": lambda s: replace(s, engine="chain", chain=replace(s.chain, bundle=EARLY)),
     "chain_aligned": lambda s: replace(s, engine="chain"),
+    "chain_axes": lambda s: replace(s, engine="chain", chain=replace(s.chain, bundle=EARLY)),
     "chain_previous": lambda s: replace(
         s, engine="chain", chain=replace(s.chain, guide="previous")
     ),

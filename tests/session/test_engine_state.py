@@ -218,6 +218,21 @@ def test_an_old_state_can_still_be_read(sample: str) -> None:
     assert np.abs(away).max() < 0.01, "mm, for other machines' last digits and rounding"
 
 
+@pytest.mark.parametrize("sample", ["chain", "chain_aligned"])
+def test_tracking_continues_from_an_old_state(sample: str) -> None:
+    """From before the values of fixed axes were estimated, while a calibration is solved or
+    frozen."""
+    _, state = unpack((DATA / f"engine_state_{sample}.bin").read_bytes())
+    t, axes = state.engine.tracker.filter.state.t, state.engine.tracker.filter.state.axis
+    pipeline = untouched(simulation(), sample)
+    pipeline.set_state(state)
+    later = [m for m in simulation().feed() if m.t > t]
+    shown = feed(pipeline, later)
+    now = pipeline.get_state().engine.tracker.filter.state
+    assert not len(axes) and len(now.axis) and len(now.P) == pipeline.engine.layout.blocks.size
+    assert len(shown) > 20 and np.isfinite(shown[-1].keypoints).all()
+
+
 def test_no_written_name_is_lost() -> None:
     """Names are only added. A new one is listed by running `engine_state_samples`."""
     for name, fields in listed().items():

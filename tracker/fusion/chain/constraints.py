@@ -21,8 +21,6 @@ from tracker.kernels import kernel
 from tracker.kernels.arrays import IntVector, Matrix, Stack, Vector, Written
 from tracker.messages import Array
 
-E_X, E_Y, E_Z = np.eye(3)
-
 
 @dataclass(frozen=True, eq=False)
 class Axis:
@@ -51,6 +49,13 @@ class Joints(NamedTuple):
 
     parent: IntVector
     R_rest: Stack
+
+
+class Oblique(NamedTuple):
+    """R_GB (A, 3, 3) of the active segments, and value (k,) of each axis row for this wearer."""
+
+    R_GB: Stack
+    value: Vector
 
 
 class AxisRows(NamedTuple):
@@ -99,7 +104,8 @@ class Constraints:
 
         A limit contributes a row only where it is exceeded.
         """
-        return _rows(self._blocks, self._joints, state.R_GB, self._axis_rows, self._flexion_rows)
+        oblique = Oblique(state.R_GB, state.axis)
+        return _rows(self._blocks, self._joints, oblique, self._axis_rows, self._flexion_rows)
 
 
 @kernel
@@ -136,10 +142,10 @@ def _put_flexion(
 
 @kernel(nogil=False)
 def _rows(
-    at: Blocks, joints: Joints, R_GB: Stack, axes: AxisRows, flexions: FlexionRows
+    at: Blocks, joints: Joints, oblique: Oblique, axes: AxisRows, flexions: FlexionRows
 ) -> tuple[Matrix, Vector, Vector]:
     """`Constraints.rows`."""
-    n = len(axes.child)
+    R_GB, n = oblique.R_GB, len(axes.child)
     most = n + 2 * len(flexions.child)
     H, r, var = np.zeros((most, at.size)), np.zeros(most), np.zeros(most)
     # 1. fixed axes: e^T R_rest^T Exp(-theta_a) R_a^T R_c Exp(theta_c) f (eq. 35)
@@ -148,7 +154,8 @@ def _rows(
         R = _relative(joints, R_GB, c)
         J_a = rotate(joints.R_rest[c], cross3(e, rotate(R, f)))
         _put(H[k], at, joints, c, J_a, cross3(f, rotate_back(R, e)), 1.0)
-        r[k] = -np.dot(e, rotate(R, f))
+        H[k, at.axis + k] = -1.0
+        r[k] = oblique.value[k] - np.dot(e, rotate(R, f))
         var[k] = axes.variance[k]
     m = n
     for k in range(len(flexions.child)):
@@ -172,22 +179,10 @@ def _rows(
 
 
 def _axes(layout: ChainLayout, params: ConstraintParams) -> list[Axis]:
-    out: list[Axis] = []
-    for child, name in enumerate(layout.names):
-        joint = layout.hand.joint_of.get(name)
-        if layout.parent[child] < 0:
-            continue
-        free = () if joint is None else joint.axes
-        if "twist" in free:
-            continue
-        out.append(Axis(child, E_Z, E_Y, params.rotation))  # eq. 32
-        if "abduction" not in free:
-            out.append(Axis(child, E_X, E_Y, params.rotation))  # eq. 33
-        elif joint is not None and "abduction" in joint.stiff:
-            out.append(Axis(child, E_X, E_Y, params.stiff_abduction))
-        if "flexion" not in free:
-            out.append(Axis(child, E_X, E_Z, params.rotation))  # eq. 34
-    return out
+    return [
+        Axis(a.child, a.e, a.f, params.stiff_abduction if a.stiff else params.rotation)
+        for a in layout.fixed_axes
+    ]
 
 
 def _flexions(layout: ChainLayout) -> list[Flexion]:

@@ -18,6 +18,7 @@ from tracker.fusion.ablations.variants import check_variant
 from tracker.fusion.chain.calibration.size import with_min_size_sd
 from tracker.fusion.chain.guided.holds import Hold
 from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.older import complete_axes
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.pose_reset import bends, is_flat
 from tracker.fusion.chain.profile import WearerProfile
@@ -102,7 +103,7 @@ class ChainEngine(Engine):
         tape: Tape | None = None,
     ) -> None:
         check_variant(params.guide, params.coupling)
-        self._layout = ChainLayout(hand, glove)
+        self._layout, self._prior = ChainLayout(hand, glove), params.prior
         buffer, match = ImuBuffer(len(glove.imus)), params.match
         self._tracker = self._tracker_type(self._layout, rig, params, buffer, tape)
         self._timeline = Timeline(self._tracker, buffer, match.lost_after, match.max_frame_delay)
@@ -226,6 +227,7 @@ class ChainEngine(Engine):
     def set_state(self, state: ChainSavedState) -> None:
         """Continue from a `get_state`."""
         saved = copy.deepcopy(state)
+        complete_axes(saved, self._layout, self._prior)
         self._tracker.restore(saved.tracker)
         self.wearer.holds[:] = saved.holds
         self._timeline.restore(saved.timeline)

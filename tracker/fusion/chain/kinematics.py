@@ -34,7 +34,7 @@ class OriginJacobians(NamedTuple):
 
 def marker_points(state: ChainState, layout: ChainLayout) -> Points:
     """All markers as points of the chain."""
-    return Points(layout.marker_segment, layout.glove.marker_position, state.marker)
+    return Points(layout.marker_segment, layout.marker_position, state.marker)
 
 
 def segment_positions(state: ChainState, layout: ChainLayout) -> Array:

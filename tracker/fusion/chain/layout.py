@@ -6,7 +6,7 @@ Which segments are estimated is defined in `tracker.fusion.segments`. Error stat
 (blocks of 3 unless noted):
 
     p, v | theta per active segment | bg, phi, ba per IMU | scale (length, girth) per active segment
-    | joint offset per finger base | offset per marker
+    | joint offset per finger base | offset per marker | value of each fixed axis' row (1)
 
 The first ``n_dynamic`` rows are propagated with the IMU data, the rest only by slow random walks.
 """
@@ -19,7 +19,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tracker.fusion.chain.joint_axes import FixedAxis, fixed_axes
 from tracker.fusion.segments import EstimatedSegments
+from tracker.glove.patches import seen_centres
 from tracker.kernels.arrays import IntVector, Matrix, Vector
 from tracker.messages import Array, IntArray
 
@@ -37,6 +39,7 @@ class Blocks(NamedTuple):
     scale: int
     joint: int
     marker: int
+    axis: int
     size: int
 
 
@@ -134,6 +137,16 @@ class ChainLayout(EstimatedSegments):
         return Points(np.arange(len(self.active)), end, np.zeros_like(end))
 
     @cached_property
+    def marker_position(self) -> Array:
+        """(M, 3) m, in each marker's B: the points that images show as the patches' centres."""
+        return seen_centres(self.glove, self.hand)
+
+    @cached_property
+    def fixed_axes(self) -> tuple[FixedAxis, ...]:
+        """The axes about which joints do not rotate."""
+        return fixed_axes(self.hand, self.names, self.parent)
+
+    @cached_property
     def n_dynamic(self) -> int:
         """Number of rows propagated with the IMU data: p, v and theta."""
         return THETA + 3 * len(self.active)
@@ -147,8 +160,9 @@ class ChainLayout(EstimatedSegments):
         scale = ba + 3 * len(self.glove.imus)
         joint = scale + 2 * len(self.active)
         marker = joint + 3 * int(np.sum(self.base_of >= 0))
-        size = marker + 3 * len(self.glove.markers)
-        return Blocks(THETA, bg, phi, ba, scale, joint, marker, size)
+        axis = marker + 3 * len(self.glove.markers)
+        size = axis + len(self.fixed_axes)
+        return Blocks(THETA, bg, phi, ba, scale, joint, marker, axis, size)
 
 
 def digit_of(layout: ChainLayout) -> IntArray:

@@ -13,6 +13,7 @@ class RandomWalks(NamedTuple):
     """Densities per √s of the random walks in the state, as in `NoiseParams`."""
 
     accel: float
+    accel_gain: float
     free_accel: float
     gyro: float
     free_rotation: float
@@ -39,11 +40,12 @@ class NoiseParams:
     """Continuous noises (per √s) and measurement standard deviations."""
 
     gyro: float = 0.01  # rad/√s: far above the data sheet, covers scale error and cloth
-    accel: float = 0.1  # m/s²·√s
+    accel: float = 0.06  # m/s²·√s
+    accel_gain: float = 0.01  # √s, relative to the hand's acceleration: scale and axes
     gyro_bias: float = 2e-4  # rad/s/√s
     accel_bias: float = 2e-3  # m/s²/√s
     scale: float = 1e-4  # 1/√s
-    mounting: float = 4e-3  # rad/√s: not zero, because cloth moves
+    mounting: float = 0.01  # rad/√s: not zero, because cloth moves
     free_rotation: float = 0.3  # rad/√s: a segment without an IMU, relative to its parent
     free_root_rotation: float = 0.5  # rad/√s: the hand while its own IMU is invalid
     free_accel: float = 1.0  # m/s²·√s: its position, likewise
@@ -79,9 +81,11 @@ class PriorParams:
     common_length: float = 0.07
     common_girth: float = 0.07
     alike: float = 0.6  # correlation of these two: long hands tend to be broad
-    own_length: float = 0.015
-    own_girth: float = 0.02
-    joint: float = 0.001  # m
+    own_length: float = 0.04
+    own_girth: float = 0.03
+    joint: float = 0.0015  # m
+    axis: float = 0.06  # rad: joints are oblique, constantly
+    thumb_axis: float = 0.09  # rad
     marker: float = 0.0011  # m, along the cloth
     marker_normal: float = 0.0004  # m, normal to it
 
@@ -95,10 +99,10 @@ class ConstraintParams:
 
     rotation: float = 0.15  # rad: no twist, no abduction of a hinge, without images
     rotation_seen: float = 0.30  # rad: the same with an image
-    stiff_abduction: float = 0.12  # rad, of a joint that hardly abducts
+    stiff_abduction: float = 0.30  # rad, of a joint that hardly abducts
     synergy: float = 0.13  # rad, for a segment seen only by markers
     limit: float = 0.05  # rad, beyond a joint's limit
-    tilt: float = 0.3  # m/s², a finger's accelerometer against the chain's
+    tilt: float = 0.6  # m/s², a finger's accelerometer against the chain's
     tilt_kinematic: float = 0.15  # relative to the kinematic part
     period: float = 0.03  # s between two uses of tilt, or of anatomy without images
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from tracker.fusion.chain.joint_axes import FixedAxis
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import PriorParams
 from tracker.messages import Array
@@ -23,6 +24,7 @@ def initial_covariance(layout: ChainLayout, prior: PriorParams) -> Array:
     girth = slice(layout.blocks.scale + 1, layout.blocks.joint, 2)
     d[length], d[girth] = prior.own_length**2, prior.own_girth**2
     d[layout.blocks.joint : layout.blocks.marker] = prior.joint**2
+    d[layout.blocks.axis :] = [_axis_variance(layout, a, prior) for a in layout.fixed_axes]
     np.fill_diagonal(P, d)
     # eq. 19
     P[length, length] += prior.common_length**2
@@ -30,6 +32,11 @@ def initial_covariance(layout: ChainLayout, prior: PriorParams) -> Array:
     P[length, girth] = P[girth, length] = prior.alike * prior.common_length * prior.common_girth
     _put_markers(P, layout, prior)
     return P
+
+
+def _axis_variance(layout: ChainLayout, axis: FixedAxis, prior: PriorParams) -> float:
+    of_thumb = layout.names[axis.child].startswith("thumb")
+    return (prior.thumb_axis if of_thumb else prior.axis) ** 2
 
 
 def _put_markers(P: Array, layout: ChainLayout, prior: PriorParams) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -22,7 +22,8 @@ from tracker.messages import Array
         "scale": "A 2",
         "joint": "B 3",
         "marker": "M 3",
-        "P": "C C",
+        "P": "c c",
+        "axis": "K | 0",
     },
 )
 @dataclass(frozen=True, eq=False)
@@ -38,6 +39,7 @@ class WearerProfile:
     marker: Array
     P: Array
     synergies: Synergies | None = None
+    axis: Array = field(default_factory=lambda: np.zeros(0))
 
     def reversed_in_time(self, layout: ChainLayout) -> WearerProfile:
         """For data in reverse order: gyro readings change sign, and so does their bias."""
@@ -57,6 +59,7 @@ def profile_of(state: ChainState, layout: ChainLayout) -> WearerProfile:
         state.joint.copy(),
         state.marker.copy(),
         state.P[block, block].copy(),
+        axis=state.axis.copy(),
     )
 
 
@@ -64,7 +67,7 @@ def wear(state: ChainState, layout: ChainLayout, profile: WearerProfile) -> None
     """Applies a profile: the pose is unchanged, correlations of pose and calibration are
     discarded."""
     n = layout.n_dynamic
-    for name in ("bg", "R_IB", "ba", "scale", "joint", "marker"):
+    for name in ("bg", "R_IB", "ba", "scale", "joint", "marker", "axis"):
         setattr(state, name, getattr(profile, name).copy())
     state.P[:n, n:] = 0.0
     state.P[n:, :n] = 0.0

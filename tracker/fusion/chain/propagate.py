@@ -101,7 +101,7 @@ def steps(
         motion = motion_by(drive, R_GB, imus, way.accel[k], way.gyro[k], valid)
         # 2. P <- Phi P Phi^T + Q, linearised at the start of the interval (eq. 16)
         move_covariance(P, phi_of(drive, at, R_GB, imus.R_IB, valid, motion, dt))
-        add_random_walks(P, at, random_walks, motion.felt, dt)
+        add_random_walks(P, at, random_walks, accel_noise(random_walks, R_GB[0], motion), dt)
         add_rotation_noise(P, at, drive, R_GB, valid, random_walks, dt)
         # 3. the nominal state
         damped = way.start[k] - coasting.last_good > coasting.patience
@@ -354,17 +354,30 @@ def _columns(Phi: Matrix) -> tuple[IntVector, IntMatrix]:
 
 
 @kernel
+def accel_noise(random_walks: RandomWalks, R: Matrix, motion: SensedMotion) -> float:
+    """m/s²·√s of the root's acceleration; errors of scale and axes grow with it (eq. 17)."""
+    if not motion.felt:
+        return random_walks.free_accel
+    a_G = rotate(R, motion.f)
+    a_G[2] -= GRAVITY
+    moved = a_G[0] ** 2 + a_G[1] ** 2 + a_G[2] ** 2
+    return np.sqrt(random_walks.accel**2 + random_walks.accel_gain**2 * moved)
+
+
+@kernel
 def add_random_walks(
-    P: Written[Matrix], at: Blocks, random_walks: RandomWalks, felt: bool, dt: float
+    P: Written[Matrix], at: Blocks, random_walks: RandomWalks, accel: float, dt: float
 ) -> None:
-    """Adds the noise of all states except orientations over ``dt``, on the diagonal (eq. 17)."""
-    accel = random_walks.accel if felt else random_walks.free_accel
+    """Adds the noise of all states except orientations over ``dt``, on the diagonal (eq. 17), with
+    the `accel_noise` ``accel``."""
     for r in range(3):
         P[r, r] += accel**2 * dt**3 / 3
         P[3 + r, 3 + r] += accel**2 * dt
     for i in range(at.bg, len(P)):
         sd = random_walks.gyro_bias
-        if i >= at.marker:
+        if i >= at.axis:
+            sd = 0.0
+        elif i >= at.marker:
             sd = random_walks.slip * np.sqrt(max(0.0, 1.0 - P[i, i] / random_walks.slip_most**2))
         elif i >= at.joint:
             sd = random_walks.offset

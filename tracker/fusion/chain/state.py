@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -54,7 +54,8 @@ class Body(NamedTuple):
         "scale": "A 2",
         "joint": "B 3",
         "marker": "M 3",
-        "P": "N N | 0 0",
+        "P": "n n | 0 0",
+        "axis": "K | 0",
     },
 )
 @dataclass(eq=False)
@@ -63,6 +64,7 @@ class ChainState:
 
     p, v (3,) of the root's IMU in G; R_GB (A, 3, 3); bg, ba (n, 3); R_IB (n, 3, 3); scale (A, 2)
     length and girth; joint (B, 3) m in the root's B; marker (M, 3) m in each marker's B;
+    axis (K,) values of `ChainLayout.fixed_axes`, whose joints are oblique in this wearer;
     P (N, N) in the order of `ChainLayout`, or (0, 0) where only a calibration is solved for.
     """
 
@@ -77,6 +79,7 @@ class ChainState:
     joint: Array
     marker: Array
     P: Array
+    axis: Array = field(default_factory=lambda: np.zeros(0))  # of recordings without it: empty
 
     @property
     def dynamic(self) -> Dynamic:
@@ -128,23 +131,25 @@ def initial_state(layout: ChainLayout) -> ChainState:
         joint=np.zeros((int(np.sum(layout.base_of >= 0)), 3)),
         marker=np.zeros((len(layout.glove.markers), 3)),
         P=np.zeros((layout.blocks.size, layout.blocks.size)),
+        axis=np.zeros(len(layout.fixed_axes)),
     )
 
 
 def inject(state: ChainState, layout: ChainLayout, dx: Array) -> None:
     """Add an error vector (N,) to the nominal state in place; rotations by local perturbation."""
-    fitting = Fitting(state.scale, state.joint, state.marker)
+    fitting = Fitting(state.scale, state.joint, state.marker, state.axis)
     state.R_GB, state.R_IB, state.scale = _inject(
         layout.blocks, state.dynamic, state.imus, fitting, np.ascontiguousarray(dx)
     )
 
 
 class Fitting(NamedTuple):
-    """The wearer and the glove: scale (A, 2), joint (B, 3) m, marker (M, 3) m."""
+    """The wearer and the glove: scale (A, 2), joint (B, 3) m, marker (M, 3) m, axis (K,)."""
 
     scale: Matrix
     joint: Matrix
     marker: Matrix
+    axis: Vector
 
 
 @kernel(nogil=False)
@@ -157,15 +162,16 @@ def _inject(
 ) -> tuple[Stack, Stack, Matrix]:
     """Adds to the vectors in place; R_GB, R_IB and scale are replaced, because other states share
     them."""
-    p, v, bg, ba, joint, marker = (
-        dynamic.p, dynamic.v, imus.bg, imus.ba, fitting.joint, fitting.marker
+    p, v, bg, ba, joint, marker, axis = (
+        dynamic.p, dynamic.v, imus.bg, imus.ba, fitting.joint, fitting.marker, fitting.axis
     )  # fmt: skip
     p += dx[0:3]
     v += dx[3:6]
     bg += dx[at.bg : at.phi].reshape(bg.shape)
     ba += dx[at.ba : at.scale].reshape(ba.shape)
     joint += dx[at.joint : at.marker].reshape(joint.shape)
-    marker += dx[at.marker :].reshape(marker.shape)
+    marker += dx[at.marker : at.axis].reshape(marker.shape)
+    axis += dx[at.axis :]
     scale = fitting.scale + dx[at.scale : at.joint].reshape(fitting.scale.shape)
     low, high = SCALE_LIMITS
     for i in range(scale.shape[0]):

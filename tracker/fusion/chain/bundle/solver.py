@@ -81,7 +81,7 @@ POSITION_SD = 0.05  # m, prior sd of a keyframe's hand position about the filter
 
 
 @record(
-    "chain.bundle", shapes={"p": "3", "R_GB": "A 3 3", "back": "b c", "N": "0 | C C", "g": "0 | C"}
+    "chain.bundle", shapes={"p": "3", "R_GB": "A 3 3", "back": "b c", "N": "0 | n n", "g": "0 | n"}
 )
 @dataclass(eq=False)
 class BundleWork:
@@ -201,6 +201,7 @@ class Bundle:
                 (state.scale - fresh.scale).ravel(),
                 state.joint.ravel(),
                 state.marker.ravel(),
+                state.axis,
             ]
         )
 
@@ -292,7 +293,7 @@ def adopt(state: ChainState, layout: ChainLayout, found: WearerProfile) -> None:
     R = state.R_GB.copy()
     R[layout.imu_segment] = R[layout.imu_segment] @ R_BB  # eq. 48
     state.R_GB = R
-    for name in ("R_IB", "ba", "scale", "joint", "marker"):
+    for name in ("R_IB", "ba", "scale", "joint", "marker", "axis"):
         setattr(state, name, getattr(found, name).copy())
     state.P[first:, :] = 0.0
     state.P[:, first:] = 0.0

@@ -45,7 +45,14 @@ def calibration_rows(layout: ChainLayout, segments: Sequence[str]) -> IntArray:
             block(layout.blocks.joint, b)
         for m in np.flatnonzero(layout.marker_segment == a):
             block(layout.blocks.marker, int(m))
+        for k in _axes_of(layout, a):
+            block(layout.blocks.axis, k, 1)
     return np.sort(np.concatenate(rows)) if rows else np.zeros(0, np.int64)
+
+
+def _axes_of(layout: ChainLayout, segment: int) -> list[int]:
+    """The fixed axes of the joint at an active segment."""
+    return [k for k, axis in enumerate(layout.fixed_axes) if axis.child == segment]
 
 
 def reset_calibration(
@@ -65,6 +72,7 @@ def reset_calibration(
         if (b := int(layout.base_of[a])) >= 0:
             state.joint[b] = fresh.joint[b]
         state.marker[layout.marker_segment == a] = 0.0
+        state.axis[_axes_of(layout, a)] = 0.0
     state.P[rows, :] = 0.0
     state.P[:, rows] = 0.0
     state.P[np.ix_(rows, rows)] = P[np.ix_(rows, rows)]

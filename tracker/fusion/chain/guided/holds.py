@@ -47,7 +47,7 @@ class HeldSample:
 
 
 @record(
-    "chain.guided.told", shapes={"H": "m C", "H_own": "m e", "r": "m", "R": "m m", "own": "d 3"}
+    "chain.guided.told", shapes={"H": "m c", "H_own": "m e", "r": "m", "R": "m m", "own": "d 3"}
 )
 @dataclass(eq=False)
 class ReducedRows:

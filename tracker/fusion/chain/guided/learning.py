@@ -27,7 +27,7 @@ from tracker.geometry.kernels import relative_rotations
 from tracker.hand.poses import POSES
 from tracker.messages import Array
 
-CALIBRATION = ("bg", "R_IB", "ba", "scale", "joint", "marker")
+CALIBRATION = ("bg", "R_IB", "ba", "scale", "joint", "marker", "axis")
 """Calibration arrays of a state, in the order of the error state."""
 
 
