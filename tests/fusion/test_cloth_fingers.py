@@ -19,8 +19,11 @@ from tracker.fusion.chain.params import ChainParams, ClothParams, SynergyParams
 from tracker.fusion.chain.shown import ShownHand
 from tracker.fusion.chain.state import ChainState, initial_state
 from tracker.fusion.output.output import Sensed
+from tracker.gestures.shape import ShapeReader
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
+from tracker.hand.names import FINGERS
+from tracker.hand.openxr import JOINTS, joint_radii, to_openxr
 from tracker.messages import (
     Array,
     BlobFrame,
@@ -124,7 +127,8 @@ def test_fingers_are_measured_that_do_not_follow_their_neighbours(
     hand: HandModel, glove: GloveModel, bent: tuple[float, float]
 ) -> None:
     scene = Scene(hand, glove, {"ring": (0.0, 0.0), "little": bent})
-    before = scene.point(scene.estimate(), "little_tip")
+    unseen = scene.estimate()
+    before = scene.point(unseen, "little_tip")
     after = scene.look()
     for name in TIPS:
         off, sd, _ = scene.point(after, name)
@@ -133,7 +137,17 @@ def test_fingers_are_measured_that_do_not_follow_their_neighbours(
     assert scene.point(after, "little_tip")[0] < max(0.5 * before[0], 0.006)
     assert scene.point(after, "ring_tip")[2] == int(Validity.MEASURED)
     assert before[2] == int(Validity.INFERRED)
-    assert scene.point(after, "ring_tip")[2] == int(Validity.MEASURED)
+    # Gestures and OpenXR's joints follow.
+    names, ring = glove.keypoint_names(hand), FINGERS.index("ring")
+    shapes = [ShapeReader(hand, names).read(e) for e in (unseen, after)]
+    assert [shape.measured[ring] for shape in shapes] == [False, True]
+    true = np.deg2rad(bent[0] + 1.67 * bent[1])
+    assert abs(shapes[1].bend[ring + 1] - true) < abs(shapes[0].bend[ring + 1] - true)
+    joints = to_openxr(after, names, joint_radii(hand))
+    tip, index = JOINTS.index("ring_tip"), JOINTS.index("index_tip")
+    assert joints.state[tip] == int(Validity.MEASURED)
+    apart = np.linalg.norm(joints.position[tip] - joints.position[index])
+    assert abs(apart - np.linalg.norm(scene.tip("ring_tip") - scene.tip("index_tip"))) < 0.012
 
 
 def test_nothing_is_claimed_where_the_background_has_the_gloves_colours(

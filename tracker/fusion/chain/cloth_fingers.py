@@ -42,6 +42,7 @@ BODY_SD = 0.007  # m per axis, of what the grid does not contain: lengths, the h
 HIDDEN_SD = 0.022  # m per axis, added where the cloth does not show the finger
 LEAST_RIM = 6.0  # the evidence is at most this many times what the outline contributes
 HIDDEN_BELOW, SEEN_FROM = 8.0, 12.0  # ln of the likelihood ratio of the finger to none
+SURROUNDED = -15.0  # of the evidence; below, what is around the finger has its colours too
 REFUTED = -1.5  # ln of the likelihood ratio of following the neighbour to not following it
 
 
@@ -81,7 +82,8 @@ class ClothFingersSavedState:
     def is_fitted(self) -> NDArray[np.bool_]:
         """(d,) whether a finger is displayed as fitted: the cloth shows it, or not where its
         neighbour suggests. Others follow their neighbours as far as the images allow."""
-        return np.asarray((self.evidence >= HIDDEN_BELOW) | (self.follows < REFUTED))
+        refuted = (self.follows < REFUTED) & (self.evidence > SURROUNDED)
+        return np.asarray((self.evidence >= HIDDEN_BELOW) | refuted)
 
 
 _Digit = tuple[int, int, int]  # segments of a finger without sensors

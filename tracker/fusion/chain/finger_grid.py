@@ -45,6 +45,7 @@ MOVES = np.deg2rad([12.0, 5.0, 12.0])  # rad in `PERIOD`, flexion, abduction and
 JOINT_STAYS = 0.97  # as `STAYS`, of where the knuckle is
 PERIOD = 0.1  # s
 KNUCKLES = SHAPE[JOINT_X] * SHAPE[JOINT_Y]
+KNUCKLE_AT = GRID[:: len(GRID) // KNUCKLES] * (1.0, 1.0, 0.0, 0.0, 0.0)
 NOMINAL = GRID[: len(GRID) // KNUCKLES] * (0.0, 0.0, 1.0, 1.0, 1.0)
 POSTURES = 30  # that are evaluated with the knuckle anywhere
 KEPT, UNLIKELY = 16, 9.0  # cells that are divided, and ln of their least probability, relative
@@ -155,19 +156,22 @@ def fit(
     ratios, follows = np.exp(likely - likely.max()), following(neighbour)
     to_none = float(np.log((follows @ ratios + TINY) / (ALONE @ ratios + TINY)))
     posterior = before * ratios / (before @ ratios)
-    evidence, hidden = float(values.max()), _unless_refuted(neighbour, follows, likely)
-    return FingerFit(posterior, postures, weights, evidence, to_none, hidden)
+    there = share * float(likelihoods(neighbour + KNUCKLE_AT).max())
+    hidden = _unless_refuted(neighbour, there, follows, likely)
+    return FingerFit(posterior, postures, weights, float(values.max()), to_none, hidden)
 
 
-def _unless_refuted(neighbour: Array, follows: Array, likely: Array) -> Array:
-    """(5,) the posture of a hidden finger: its ``neighbour``'s (5,), displaced to where the image
-    does not refute it (eq. 72).
+def _unless_refuted(neighbour: Array, there: float, follows: Array, likely: Array) -> Array:
+    """(5,) the posture of a hidden finger: its ``neighbour``'s (5,), where the ln of the likelihood
+    ratio is ``there``, displaced to where the image does not refute it (eq. 72).
 
     Without an outline, the cloth at a posture may be that of other parts, so it is weak evidence
     for the finger. That there is no cloth is strong evidence against it.
     """
-    left = follows * np.exp(np.minimum(likely, ATTRACTS))
-    shift = left @ GRID / (left.sum() + TINY**2) - follows @ GRID
+    capped = np.minimum(likely, ATTRACTS)
+    left = follows * np.exp(capped)
+    refuted = 1.0 - np.exp(min(min(there, ATTRACTS) - float(capped.max()), 0.0))
+    shift = refuted * (left @ GRID / (left.sum() + TINY**2) - follows @ GRID)
     shift[[JOINT_X, JOINT_Y]] = 0.0
     return np.asarray(neighbour + shift)
 
