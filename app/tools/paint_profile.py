@@ -30,7 +30,14 @@ from PySide6.QtWidgets import QApplication
 
 from app.engines.demo_camera import HANDS, DemoChoice, start_camera
 from app.platform.process_tuning import tune_process
+from app.storage.settings import SettingsStore
 from app.tools.soak import SIZE, START_TIMEOUT, is_tracked
+from app.viewmodels import hand_skin
+from app.widgets import curve_canvas, image_canvas
+from app.widgets.view3d.raster import scene
+from app.window.headless_report import wait_until
+from app.window.main_window import MainWindow
+from app.window.sources import demo_factory
 from tracker.base.files import check_target, write_whole
 from tracker.base.terminal import add_force
 
@@ -102,11 +109,6 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def paint_profile(choice: DemoChoice, refreshes: int, folder: str | Path) -> PaintProfile:
     """The demo's window, in the layout that shows the most panels."""
-    from app.storage.settings import SettingsStore
-    from app.window.headless_report import wait_until
-    from app.window.main_window import MainWindow
-    from app.window.sources import demo_factory
-
     camera = start_camera(choice=choice)
     store = SettingsStore(Path(folder) / "window.json")
     store.update(job="all")
@@ -124,8 +126,6 @@ def paint_profile(choice: DemoChoice, refreshes: int, folder: str | Path) -> Pai
 
 def measure_panels(window: MainWindow, hands: str, refreshes: int) -> PaintProfile:
     """Refresh and paint each visible panel of a window, ``refreshes`` times."""
-    from app.window.headless_report import wait_until
-
     window.ticker.stop()
     spent, view = dict[str, list[float]](), None
     with _unlocked() as unlocked:
@@ -177,10 +177,6 @@ def _add(spent: dict[str, list[float]], name: str, *parts: float) -> None:
 @contextmanager
 def _unlocked() -> Iterator[list[float]]:
     """Counts the processor time (s) of the window's kernels, which release the lock."""
-    from app.viewmodels import hand_skin
-    from app.widgets import curve_canvas, image_canvas
-    from app.widgets.view3d.raster import scene
-
     total = [0.0]
 
     def counted(function: Callable[..., Any]) -> Callable[..., Any]:

@@ -28,6 +28,10 @@ from PySide6.QtWidgets import QApplication
 from app.engines.demo_camera import DemoChoice, start_camera
 from app.engines.protocols import RecordingRequest
 from app.platform.process_tuning import tune_process
+from app.storage.settings import SettingsStore
+from app.window.headless_report import wait_until
+from app.window.main_window import MainWindow
+from app.window.sources import demo_factory
 from tracker.base.files import check_target, write_whole
 from tracker.base.terminal import add_force
 
@@ -90,10 +94,6 @@ def main(argv: Sequence[str] | None = None) -> int:
 def measure(fps: float, seconds: float, folder: Path) -> list[Load]:
     """The demo, first without a recording, then while it records."""
     camera = start_camera(choice=DemoChoice(fps))
-    from app.storage.settings import SettingsStore
-    from app.window.headless_report import wait_until
-    from app.window.main_window import MainWindow
-    from app.window.sources import demo_factory
 
     store = SettingsStore(folder / "window.json")
     store.update(job="all")  # the layout that shows the most panels
@@ -114,8 +114,6 @@ def measure(fps: float, seconds: float, folder: Path) -> list[Load]:
 
 
 def _stretch(window: MainWindow, out: Load, seconds: float) -> Load:
-    from app.window.headless_report import wait_until
-
     before, began, ticks = _times(), time.monotonic(), window.ticker.ticks
     values = _status(window)
     wait_until(lambda: False, seconds)

@@ -26,15 +26,28 @@ from typing import TYPE_CHECKING
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
+import numpy as np
 import psutil
 from PySide6.QtCore import QCoreApplication, QEvent, Qt, QTimer
 from PySide6.QtWidgets import QApplication
 
+from app.engines.apart.demo import DemoSource
+from app.engines.apart.process import EngineProcess
+from app.engines.apart.setup import apart_factory
 from app.engines.demo_camera import HANDS, LENSES, DemoChoice, start_camera
+from app.engines.replay.engine import open_replay
 from app.platform.process_tuning import tune_process
+from app.platform.tasks import JobProgress
+from app.storage.settings import SettingsStore
+from app.window.headless_report import wait_until
+from app.window.main_window import MainWindow
+from app.window.pauses import keep_pauses_short
 from tracker.base.files import check_target, write_whole
 from tracker.base.terminal import add_force
 from tracker.messages import Tracking
+from tracker.offline.options import TrackOptions
+from tracker.offline.simulate import SimulateOptions, simulate
+from tracker.offline.track import track
 
 if TYPE_CHECKING:
     from app.window.main_window import MainWindow
@@ -161,8 +174,6 @@ def cycle(app: QApplication, cycles: int, folder: Path) -> Cycles:
 
 def _slope(values: Sequence[float]) -> float:
     """Growth per value by the median of all pairs' slopes (Theil and Sen)."""
-    import numpy as np
-
     n = len(values)
     slopes = [(values[j] - values[i]) / (j - i) for i in range(n) for j in range(i + 1, n)]
     return round(float(np.median(slopes)), 3) if slopes else 0.0
@@ -175,10 +186,6 @@ def _timers() -> int:
 
 def _session(folder: Path) -> Path:
     """Two seconds of blobs and samples."""
-    from tracker.offline.options import TrackOptions
-    from tracker.offline.simulate import SimulateOptions, simulate
-    from tracker.offline.track import track
-
     simulated, path = folder / "simulated.mcap", folder / "session.mcap"
     simulate(simulated, SimulateOptions(duration=2.0, fps=30.0, images=False))
     track(simulated, path, TrackOptions(with_sensors=True))
@@ -186,11 +193,6 @@ def _session(folder: Path) -> Path:
 
 
 def _open_and_close(app: QApplication, folder: Path, session: Path) -> None:
-    from app.engines.replay.engine import open_replay
-    from app.platform.tasks import JobProgress
-    from app.storage.settings import SettingsStore
-    from app.window.main_window import MainWindow
-
     window = MainWindow(SettingsStore(folder / "window.json"))
     window.resize(*SIZE)
     window.show()
@@ -229,8 +231,6 @@ class LoopGaps:
 
     def stop(self) -> tuple[float, float]:
         """The gap that 99 % are under, and the longest, ms. Not a number if it never turned."""
-        import numpy as np
-
         self._timer.stop()
         if not self._gaps:
             return float("nan"), float("nan")
@@ -246,9 +246,6 @@ def soak(
     seconds = 60.0 * minutes + HIDDEN_S + STARTS_WITHIN
     images = round(choice.fps * seconds) if drawn else 0
     factory = demo_job(choice, apart, images)
-    from app.storage.settings import SettingsStore
-    from app.window.main_window import MainWindow
-    from app.window.pauses import keep_pauses_short
 
     store = SettingsStore(folder / "window.json")
     store.update(job="all")  # the layout that shows the most panels
@@ -271,17 +268,12 @@ def demo_job(choice: DemoChoice, apart: bool, images: int = 0) -> SetupFactory:
         from app.window.sources import demo_factory
 
         return demo_factory(choice, camera=camera)
-    from app.engines.apart.demo import DemoSource
-    from app.engines.apart.process import EngineProcess
-    from app.engines.apart.setup import apart_factory
 
     source = DemoSource(choice, drawn=images)
     return apart_factory(source, EngineProcess(source))
 
 
 def _watch(window: MainWindow, out: Soak) -> Soak:
-    from app.window.headless_report import wait_until
-
     if not wait_until(lambda: is_tracked(window), START_TIMEOUT):
         raise SystemExit("The demo did not find the hand.")
     out.start_to_tracked_s = round(time.time() - STARTED, 2)

@@ -29,8 +29,12 @@ from PySide6.QtWidgets import QApplication
 
 from app.engines.demo_camera import DemoChoice
 from app.platform.process_tuning import tune_process
+from app.storage.settings import SettingsStore
 from app.tools import stream_readers
 from app.tools.soak import SIZE, START_TIMEOUT, demo_job, is_tracked
+from app.window.headless_report import wait_until
+from app.window.main_window import MainWindow
+from app.window.pauses import keep_pauses_short
 from tracker.base.files import check_target, write_whole
 from tracker.base.terminal import add_force
 
@@ -121,9 +125,6 @@ def measure(
     """Opens the demo in the window; ``turns``: their number and length (s); ``names``: the streams,
     all of them if it is empty."""
     factory = demo_job(DemoChoice(fps), apart.tracking)
-    from app.storage.settings import SettingsStore
-    from app.window.main_window import MainWindow
-    from app.window.pauses import keep_pauses_short
 
     store = SettingsStore(folder / "window.json")
     store.update(job="all", sessions_folder=str(folder))
@@ -141,8 +142,6 @@ def measure(
 
 
 def _alternate(window: MainWindow, cost: Cost, turns: int, seconds: float) -> Cost:
-    from app.window.headless_report import wait_until
-
     if not wait_until(lambda: is_tracked(window), START_TIMEOUT):
         raise SystemExit("The demo did not find the hand.")
     ported = [name for name in cost.streams if window.outputs.kinds[name].has("port")]
@@ -186,8 +185,6 @@ def _start_readers(window: MainWindow, names: Sequence[str]) -> subprocess.Popen
 
 def _switch(window: MainWindow, names: Sequence[str], on: bool) -> None:
     """Switch all streams, and wait until they are open or closed. Raises SystemExit."""
-    from app.window.headless_report import wait_until
-
     outputs = window.outputs
     for name in names:
         outputs.switch(name, on)
@@ -198,8 +195,6 @@ def _switch(window: MainWindow, names: Sequence[str], on: bool) -> None:
 
 
 def _turn(window: MainWindow, names: Sequence[str], seconds: float) -> StreamTurn:
-    from app.window.headless_report import wait_until
-
     looks: list[tuple[float, float]] = []
     for _ in range(max(round(seconds / LOOK_S), 1)):
         wait_until(lambda: False, LOOK_S)

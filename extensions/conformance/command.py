@@ -7,8 +7,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tracker.base.command import Command
+from tracker.base.errors import ConfigError
+from tracker.base.files import check_target, make_folder, whole_files, write_with_folder
 from tracker.base.notices import notice
-from tracker.base.terminal import add_json
+from tracker.base.terminal import add_json, check_json, finish, progress_line
 
 if TYPE_CHECKING:
     from extensions.conformance.run import TakeVerdict
@@ -51,9 +53,6 @@ def check_conformance(args: argparse.Namespace) -> int:
     """Run the check; returns exit status 1 if a rule failed."""
     from extensions.conformance.page import as_json, page
     from extensions.conformance.run import judge, read_take
-    from tracker.base.errors import ConfigError
-    from tracker.base.files import check_target, write_with_folder
-    from tracker.base.terminal import check_json, finish
 
     if args.simulate == (args.file is not None):
         raise ConfigError(notice("option.exactly_one", options=("SESSION", "--simulate")))
@@ -95,8 +94,6 @@ def _simulated(args: argparse.Namespace, sides: tuple[str, ...], out: Path | Non
     from extensions.conformance.isaac.writer import write_records
     from extensions.conformance.run import judge, simulated_takes
     from extensions.conformance.take import take_of, write_labels
-    from tracker.base.files import make_folder, whole_files
-    from tracker.base.terminal import progress_line
 
     records, steps = simulated_takes(sides, args.seed, args.glove, progress_line("tracking"))
     takes = [take_of(side, found) for side, found in records.items()]

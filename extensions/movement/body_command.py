@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from tracker.base.files import whole_files
 from tracker.base.terminal import add_json, check_json, finish
 
 
@@ -55,7 +56,6 @@ def opensim_body(args: argparse.Namespace) -> int:
 
     from extensions.movement.motion_file import MotionTable
     from extensions.movement.whole_body import Placement, WholeBody, combined
-    from tracker.base.files import whole_files
     from tracker.session.export.run import sides_of
     from tracker.session.reader import SessionReader
 

@@ -8,8 +8,9 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from extensions.robot.library import SHADOW
+from extensions.robot.library import SHADOW, model_path, need_mujoco
 from extensions.robot.teleop_command import add_fingers
+from tracker.base.files import check_target, write_whole
 from tracker.base.terminal import add_force
 
 GLOVES = {"right": "vist-small", "left": "vist-small-left"}
@@ -49,10 +50,8 @@ def write_config(args: argparse.Namespace) -> None:
     from extensions.retargeting.config import config_text, dex_hand, links_suffice
     from extensions.robot.finger_map import map_given
     from extensions.robot.hand import load_hand, read_hand
-    from extensions.robot.library import model_path, need_mujoco
     from extensions.robot.settings import RobotSettings
     from extensions.robot.urdf import robot_urdf
-    from tracker.base.files import check_target, write_whole
     from tracker.glove import library
 
     need_mujoco()

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from extensions.robot.library import SHADOW
 from extensions.robot.teleop_command import add_fingers
 from tracker.base.errors import ConfigError
+from tracker.base.files import check_target
 from tracker.base.terminal import add_json, check_json, finish
 
 if TYPE_CHECKING:
@@ -38,7 +39,6 @@ def show_robot_hand(args: argparse.Namespace) -> int:
     from extensions.robot.finger_map import map_given, write_map
     from extensions.robot.settings import RobotSettings
     from extensions.robot.survey import survey_hand
-    from tracker.base.files import check_target
 
     check_json(args)
     if args.out:

@@ -9,6 +9,8 @@ from dataclasses import dataclass
 from multiprocessing.connection import Connection
 from typing import TYPE_CHECKING, NamedTuple
 
+import numpy as np
+
 from extensions.robot.command import RobotCommand
 from extensions.robot.settings import RobotSettings
 from tracker.base.child import start_child
@@ -190,8 +192,6 @@ class _Server:
         self.ready = RobotReady(self._driver.model, shape_of(self._world))
 
     def do(self, item: Estimate | RobotCommand | RobotState) -> Answer | None:
-        import numpy as np
-
         from extensions.robot.shape import poses
 
         if isinstance(item, RobotCommand):

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import argparse
+import json
 from collections.abc import Callable, Iterable
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from extensions.robot.library import SHADOW
+from extensions.robot.library import SHADOW, need_mujoco
 from tracker.base.errors import ConfigError
+from tracker.base.files import check_target
 from tracker.base.notices import notice
 from tracker.base.terminal import add_json, check_json, finish, progress_line
 
@@ -87,8 +90,6 @@ def add_fingers(parser: argparse.ArgumentParser) -> None:
 
 def teleoperate(args: argparse.Namespace) -> int:
     """Drive the robot hand, or check a recorded drive."""
-    from extensions.robot.library import need_mujoco
-
     given = [args.source is not None, args.listen is not None, args.simulate is not None]
     if sum(given) != 1:
         raise ConfigError(
@@ -121,8 +122,6 @@ def _settings(args: argparse.Namespace, side: str) -> RobotSettings:
 
 
 def _check(args: argparse.Namespace) -> int:
-    from dataclasses import asdict
-
     from extensions.robot.teleop_run import drive_again
 
     again = drive_again(args.source)
@@ -134,7 +133,6 @@ def _check(args: argparse.Namespace) -> int:
 
 def _session(args: argparse.Namespace) -> int:
     from extensions.robot.teleop_run import DriveFigures, drive, driver_of, write_driven
-    from tracker.base.files import check_target
     from tracker.session.reader import SessionReader
 
     if args.out:
@@ -218,8 +216,6 @@ class _StateSender:
 
     def send(self, state: RobotState) -> None:
         """Send one datagram; a receiver is not required."""
-        import json
-
         from extensions.robot.payload import state_payload
 
         if self._socket is not None:

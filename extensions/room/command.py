@@ -6,9 +6,11 @@ Functions import what they need, so that ``glovetrack --help`` is fast.
 from __future__ import annotations
 
 import argparse
+import math
 from pathlib import Path
 
 from tracker.base.command import Command
+from tracker.base.files import check_target
 from tracker.base.terminal import add_force
 from tracker.hand.names import SIDES
 
@@ -27,12 +29,9 @@ def _add(parser: argparse.ArgumentParser) -> None:
 
 
 def _align(args: argparse.Namespace) -> None:
-    import math
-
     from extensions.room import alignment_file
     from extensions.room.alignment import solve
     from extensions.room.movement import recorded_movement
-    from tracker.base.files import check_target
 
     add = args.out.exists() and not args.force
     known = alignment_file.read(args.out) if add else {}

@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 
 from extensions.sheets.kinds import SHEETS
+from tracker.base.files import check_target, whole_file
 from tracker.base.registry import names_of
 from tracker.base.terminal import add_force
 
@@ -31,7 +32,6 @@ def add_print(parser: argparse.ArgumentParser) -> None:
 def print_sheets(args: argparse.Namespace) -> int:
     """Write the PDF file."""
     from extensions.sheets.page import save_pages
-    from tracker.base.files import check_target, whole_file
     from tracker.glove import library
 
     check_target(args.out, args.force)

@@ -8,13 +8,25 @@ from __future__ import annotations
 import argparse
 import contextlib
 from collections.abc import Iterator
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tracker.base.command import Command, UsageError
 from tracker.base.errors import ConfigError
+from tracker.base.files import check_folder_target, check_target, write_whole
 from tracker.base.notices import failure, notice
-from tracker.base.terminal import add_force, add_json, check_json, finish, printable
+from tracker.base.numeric_threads import one_blas_thread
+from tracker.base.terminal import (
+    add_force,
+    add_json,
+    check_json,
+    finish,
+    printable,
+    progress_line,
+    stopped_by_signals,
+)
+from tracker.session.export.options import ExportOptions
 
 if TYPE_CHECKING:
     from extensions.study.folder import Study
@@ -92,8 +104,6 @@ def _run(args: argparse.Namespace) -> int:
 
 def _run_headless(study: Study, protocol: Protocol, participant: str) -> int:
     from extensions.study.headless import run_headless
-    from tracker.base.numeric_threads import one_blas_thread
-    from tracker.base.terminal import stopped_by_signals
 
     chosen = (participant,) if participant else protocol.participants
     with one_blas_thread(), stopped_by_signals():
@@ -143,11 +153,7 @@ def _add_tables(parser: argparse.ArgumentParser) -> None:
 
 
 def _tables(args: argparse.Namespace) -> None:
-    from dataclasses import asdict
-
     from extensions.study.folder import open_study
-    from tracker.base.files import check_target, write_whole
-    from tracker.base.terminal import progress_line
 
     with _other_extension("evaluation"):
         from extensions.study import retrack, tables
@@ -191,7 +197,6 @@ def _report(args: argparse.Namespace) -> None:
     from extensions.study.folder import open_study
     from extensions.study.report import write_movement
     from extensions.study.results import write_report
-    from tracker.base.files import check_folder_target
 
     study = open_study(args.source)
     folder = args.output or args.source / "report"
@@ -219,8 +224,6 @@ def _add_export(parser: argparse.ArgumentParser) -> None:
 
 def _export(args: argparse.Namespace) -> None:
     from extensions.study.folder import open_study
-    from tracker.base.terminal import progress_line
-    from tracker.session.export.options import ExportOptions
 
     with _other_extension("movement"):
         from extensions.study.export import export_study

@@ -19,7 +19,7 @@ from extensions.evaluation.vist.metrics import Trial, confidence_interval, pck
 from extensions.evaluation.vist.paper import PAPER
 from extensions.study.errors import read_truth, trial_of
 from extensions.study.folder import Study
-from extensions.study.retrack import Variant
+from extensions.study.retrack import Variant, chosen
 from tracker.base.errors import ConfigError, GlovetrackError
 from tracker.base.notices import failure
 from tracker.base.workers import WorkItem, run_all, some_workers, usable_cores
@@ -108,8 +108,6 @@ def errors_of(
     path: Path, variant: str, number: int, progress: Progress = lambda share: None
 ) -> Trial:
     """The errors of one trial; for a process of its own."""
-    from extensions.study.retrack import chosen
-
     truth = read_truth(path)
     assert truth is not None, "only trials with a truth are evaluated"
     (found,) = chosen((variant,))

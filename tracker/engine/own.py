@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from tracker.engine.kinds import Capabilities, EngineKind
 from tracker.engine.settings import Settings
+from tracker.fusion.chain.params import with_measured_noise
 from tracker.fusion.engine import Engine
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -12,7 +13,6 @@ from tracker.vision.rig import StereoRig
 
 def _chain(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Settings) -> Engine:
     from tracker.fusion.chain.engine import ChainEngine
-    from tracker.fusion.chain.params import with_measured_noise
 
     return ChainEngine(hand, glove, rig, with_measured_noise(settings.chain, glove))
 
@@ -24,7 +24,6 @@ def _vist(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Settings
 
 
 def _switching(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Settings) -> Engine:
-    from tracker.fusion.chain.params import with_measured_noise
     from tracker.fusion.hybrid import HybridEngine
 
     chain, hybrid = with_measured_noise(settings.chain, glove), settings.hybrid
@@ -32,7 +31,6 @@ def _switching(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Set
 
 
 def _madgwick(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Settings) -> Engine:
-    from tracker.fusion.chain.params import with_measured_noise
     from tracker.fusion.hybrid import HybridEngine
 
     chain, hybrid = with_measured_noise(settings.chain, glove), settings.hybrid
@@ -41,7 +39,6 @@ def _madgwick(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Sett
 
 def _inertial(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Settings) -> Engine:
     from tracker.fusion.chain.inertial import InertialEngine
-    from tracker.fusion.chain.params import with_measured_noise
 
     return InertialEngine(hand, glove, with_measured_noise(settings.chain, glove))
 

@@ -17,6 +17,7 @@ from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import check_target, sha256, whole_file
 from tracker.base.notices import Notice, notice
 from tracker.offline.options import TrackOptions
+from tracker.offline.track import track
 from tracker.session.edits import Edit, Filled
 from tracker.session.export.series import EstimateSeries, recorded_series
 from tracker.session.gaps.fill import FillOptions, HandFill, Left, choose, fill_hand
@@ -188,7 +189,6 @@ def _nothing(source: Path, gaps: Sequence[Gap], options: FillOptions) -> Notice:
 
 def _smoothed(source: Path, out: Path, watch: Watch) -> Mapping[str, EstimateSeries]:
     """The sensors of a session tracked again and smoothed, by side."""
-    from tracker.offline.track import track
 
     def forward(share: float) -> None:
         watch(_READING + _TRACKING * share)

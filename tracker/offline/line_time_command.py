@@ -7,7 +7,7 @@ from pathlib import Path
 
 from tracker.base.command import Command
 from tracker.base.files import check_target, write_whole
-from tracker.base.terminal import add_json, check_json, finish
+from tracker.base.terminal import add_json, check_json, finish, progress_line
 
 
 def _add(parser: argparse.ArgumentParser) -> None:
@@ -25,7 +25,6 @@ def _add(parser: argparse.ArgumentParser) -> None:
 
 
 def _run(args: argparse.Namespace) -> int:
-    from tracker.base.terminal import progress_line
     from tracker.calibration.stereo.files import rig_text
     from tracker.engine.pipeline import Pipeline
     from tracker.messages import BlobFrame, CameraImuSample, ImuSample

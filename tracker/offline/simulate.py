@@ -25,6 +25,7 @@ from tracker.simulation.guided import HELD_BADLY, GuidedPoses, HoldParams, with_
 from tracker.simulation.head import MOVING, HeadParams
 from tracker.simulation.motion import SimulatedMotion
 from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.recorded.load import load_motion
 from tracker.simulation.rooms import SCENES, Room, room_of
 from tracker.simulation.scenario import Message, Simulation, SimulationParams, Truth
 from tracker.simulation.scripted import show
@@ -131,7 +132,6 @@ def _motion(options: SimulateOptions, info: SessionInfo) -> SimulatedMotion:
     if options.motion.startswith(WORD):
         wearer = Wearer.random(info.hand, info.glove, options.seed)
         return show(options.motion, info.hand, wearer)
-    from tracker.simulation.recorded.load import load_motion
 
     return load_motion(Path(options.motion), info.hand)
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from tracker.base.clock import NS
 from tracker.base.errors import ConfigError, FileError
-from tracker.base.files import write_whole
+from tracker.base.files import whole_file, write_whole
 from tracker.base.notices import notice
 from tracker.base.toml_reader import read_text
 from tracker.messages import Array, Estimate, ImuSample
@@ -240,8 +240,6 @@ def draw(
     """Plot both speeds on the first recording's time axis, as PNG."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
-
-    from tracker.base.files import whole_file
 
     figure = Figure(figsize=(9, 3.2), layout="constrained")
     FigureCanvasAgg(figure)

@@ -7,6 +7,7 @@ from dataclasses import asdict
 from pathlib import Path
 
 from tracker.base.command import Command
+from tracker.base.files import check_target
 from tracker.base.terminal import add_json, check_json, finish
 
 
@@ -29,7 +30,6 @@ def _add_align(command: argparse.ArgumentParser) -> None:
 
 
 def _align(args: argparse.Namespace) -> int:
-    from tracker.base.files import check_target
     from tracker.session.align import align, draw, keep, read_courses
 
     files = [args.first, args.second]

@@ -8,7 +8,19 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tracker.base.command import Command
-from tracker.base.terminal import add_json, check_json, finish, printable
+from tracker.base.terminal import add_json, check_json, finish, printable, progress_line
+from tracker.session.export.formats import FORMATS
+from tracker.session.export.options import (
+    AXES_NAMES,
+    ENCODED,
+    HIDEABLE,
+    IMAGES,
+    PERSONAL,
+    UNITS,
+    VIEWS,
+    DatasetOptions,
+    ExportOptions,
+)
 
 if TYPE_CHECKING:
     from tracker.session.verify import FileFinding
@@ -61,9 +73,6 @@ def _add_compare(command: argparse.ArgumentParser) -> None:
 
 
 def _add_export(command: argparse.ArgumentParser) -> None:
-    from tracker.session.export.formats import FORMATS
-    from tracker.session.export.options import AXES_NAMES, UNITS
-
     command.add_argument(
         "files",
         type=Path,
@@ -85,8 +94,6 @@ def _add_export(command: argparse.ArgumentParser) -> None:
 
 def _add_selection(command: argparse.ArgumentParser) -> None:
     """Adds the options that select the part of a session to export."""
-    from tracker.session.export.options import HIDEABLE, PERSONAL, VIEWS
-
     command.add_argument(
         "--start", type=float, metavar="S", help="start, in seconds after the first estimate"
     )
@@ -122,8 +129,6 @@ def _add_selection(command: argparse.ArgumentParser) -> None:
 
 
 def _add_dataset(command: argparse.ArgumentParser) -> None:
-    from tracker.session.export.options import ENCODED, IMAGES
-
     group = command.add_argument_group("data sets of many sessions (lerobot)")
     group.add_argument("--task", default="", metavar="TEXT", help="description of the task")
     group.add_argument("--split", action="store_true", help="start a new episode at each note")
@@ -140,10 +145,7 @@ def _add_dataset(command: argparse.ArgumentParser) -> None:
 
 
 def _export(args: argparse.Namespace) -> int:
-    from tracker.base.terminal import progress_line
     from tracker.base.workers import WorkersAsked
-    from tracker.session.export.formats import FORMATS
-    from tracker.session.export.options import PERSONAL, DatasetOptions, ExportOptions
     from tracker.session.export.run import export, export_dataset, path_of_side
 
     anonymous = () if args.anonymous is None else tuple(args.anonymous or PERSONAL)
@@ -174,8 +176,6 @@ def _export(args: argparse.Namespace) -> int:
 
 def _ask_for_task(args: argparse.Namespace) -> str:
     """Asks the user at the terminal for the description of the task in a data set."""
-    from tracker.session.export.formats import FORMATS
-
     if FORMATS.get(args.format).dataset is None or args.split or not sys.stdin.isatty():
         return ""
     return input("Task in these sessions (Enter: use the tasks stored in them): ").strip()

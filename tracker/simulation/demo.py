@@ -18,8 +18,10 @@ from tracker.simulation.desk.renderer import DeskParams
 from tracker.simulation.motion import SimulatedMotion
 from tracker.simulation.posture_requests import PostureRequest, RequestedMotion
 from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.recorded.load import load_motion
 from tracker.simulation.rooms import room_of
 from tracker.simulation.scenario import Simulation, SimulationParams
+from tracker.simulation.scripted import show
 from tracker.simulation.shows import WORD
 from tracker.simulation.two_hands import GlovedHand, TwoHandsSimulation
 from tracker.simulation.wearer import Wearer
@@ -141,9 +143,6 @@ def requests_to(simulation: Simulation) -> tuple[PostureRequest, ...]:
 def _motion_of(spec: DemoSpec, hand: HandModel, glove: GloveModel) -> SimulatedMotion:
     """Imports on demand: these modules load all of scipy, which would delay the start of the
     demo."""
-    from tracker.simulation.recorded.load import load_motion
-    from tracker.simulation.scripted import show
-
     if spec.motion.startswith(WORD):
         wearer = Wearer.random(hand, glove, spec.seed)
         return RequestedMotion(show(spec.motion, hand, wearer, spec.duration), spec.seed)

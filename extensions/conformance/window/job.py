@@ -6,7 +6,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from app.platform.tasks import Job, JobProgress
-from tracker.base.files import free_path
+from extensions.conformance.run import judge, read_take
+from extensions.conformance.take import labels_path, write_labels
+from tracker.base.files import free_path, write_whole
 
 if TYPE_CHECKING:
     from extensions.conformance.run import TakeVerdict
@@ -24,9 +26,6 @@ def conformance_job(take: Path) -> Job:
 
     def run(progress: JobProgress) -> Judged:
         from extensions.conformance.page import page
-        from extensions.conformance.run import judge, read_take
-        from extensions.conformance.take import labels_path, write_labels
-        from tracker.base.files import write_whole
 
         progress(0.1, take.name)
         takes, steps = read_take(take)

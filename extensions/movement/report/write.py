@@ -6,7 +6,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from extensions.movement.report.figures import all_figures, figure_names, png, svg
 from extensions.movement.report.measure import MeasuredTake, measure_hands
+from extensions.movement.report.page import page
+from extensions.movement.report.table import table
 from tracker.base.errors import ConfigError
 from tracker.base.files import check_target, whole_files
 from tracker.base.notices import notice
@@ -35,9 +38,6 @@ def write_report(
     for k, path in enumerate(sessions):
         watch(k / len(sessions))
         takes += [replace(hand, session=k) for hand in measure_hands(path, anonymous)]
-    from extensions.movement.report.figures import all_figures, figure_names, png, svg
-    from extensions.movement.report.page import page
-    from extensions.movement.report.table import table
 
     for name in figure_names(takes):
         for ending in (".png", ".svg"):

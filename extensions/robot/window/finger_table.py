@@ -24,6 +24,7 @@ from app.platform.tasks import JobProgress, LatestJob
 from app.widgets.measures import NEAR
 from app.words import error_text, notice_text
 from extensions.robot.finger_map import PALM, ROWS, FingerMap, map_from_text, read_map, write_map
+from extensions.robot.library import need_mujoco
 from extensions.robot.settings import RobotSettings
 from extensions.robot.window.job import RobotLink
 from extensions.robot.window.view_model import finger_title, found_by
@@ -185,8 +186,6 @@ class FingerTable(QWidget):
 
 def _survey(settings: RobotSettings, _progress: JobProgress) -> object:
     """In a thread of its own: MuJoCo is imported there, too."""
-    from extensions.robot.library import need_mujoco
-
     need_mujoco()
     from extensions.robot.survey import survey_hand
 

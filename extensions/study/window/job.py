@@ -11,6 +11,7 @@ from app.platform.subprocess_job import run_in_subprocess
 from app.platform.tasks import Job, JobProgress
 from extensions.study.folder import open_study
 from extensions.study.protocol import TrialLimits
+from extensions.study.results import write_report
 from extensions.study.schedule import ScheduleStep
 from extensions.study.verdict import TrialVerdict, judge, stored
 
@@ -42,6 +43,4 @@ def report_job(folder: Path) -> Job:
 
 
 def _report(folder: Path, _: Callable[..., None]) -> Path:
-    from extensions.study.results import write_report
-
     return write_report(open_study(folder), folder / "report")

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
-from tracker.base.terminal import add_json
+from tracker.base.terminal import add_json, check_json, finish, progress_line
 
 if TYPE_CHECKING:
     from extensions.touch.simulated.trial import WearerFigures
@@ -41,7 +41,6 @@ def add_touch(parser: argparse.ArgumentParser) -> None:
 def evaluate_touch(args: argparse.Namespace) -> int:
     """Let the wearers take the test and print the figures."""
     from extensions.touch.simulated.trial import FAULTS, run_trial
-    from tracker.base.terminal import check_json, finish, progress_line
     from tracker.base.workers import WorkItem, run_all, some_workers
     from tracker.engine.kinds import ENGINES
 
