@@ -159,7 +159,10 @@ def test_recordings_made_before_are_tracked_as_they_were() -> None:
 
     older = recorded_settings_from({"engine": "chain", "timing": {"sure": 0.002}}, complain)
     assert not older.alignment.apply and not older.timing.jitter and older.timing.sure == 0.002
-    newer = recorded_settings_from(
-        {"alignment": {"apply": True}, "timing": {"jitter": True}}, complain
-    )
-    assert newer == Settings()
+    assert not older.chain.cloth.fingers
+    known = {
+        "alignment": {"apply": True},
+        "timing": {"jitter": True},
+        "chain": {"cloth": {"fingers": True}},
+    }
+    assert recorded_settings_from(known, complain) == Settings()
