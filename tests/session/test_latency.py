@@ -12,10 +12,12 @@ import pytest
 from tests.session.conftest import at
 from tests.session.test_robot_topics import MODEL, state
 from tracker.cli import main
-from tracker.messages import Event, Message, RobotState
+from tracker.messages import Event, Message, RobotState, Status, Tracking
 from tracker.session.decode_robot import read_robot
 from tracker.session.latency import latencies_of
 from tracker.session.reader import SessionReader
+
+TOTAL = "latency_total"
 
 
 def motor(of: float, late: float) -> Event:
@@ -60,12 +62,29 @@ def test_the_time_of_a_command_is_read_back_and_unknown_for_a_replay(
     assert states[-1].t_sent != states[-1].t_sent  # NaN
 
 
+def test_figures_of_the_live_run_and_delays_of_images_are_reported(
+    tmp_path: Path, record: Callable[..., Path]
+) -> None:
+    states = [
+        Status(
+            at(1000.0 * k),
+            Tracking.TRACKING,
+            {f"{TOTAL}_ms": 20 + k, f"{TOTAL}_p99_ms": 40 + 2 * k},
+        )
+        for k in range(5)
+    ]
+    found = latencies_of(record(tmp_path / "live.mcap", states))
+    assert found == {
+        "pose after an image": {"count": 5, "median_ms": 22.0, "p99_ms": 44.0, "most_ms": 48.0}
+    }
+
+
 def test_the_command_reports_it_as_text_and_json(
     session: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert main(["info", "--latency", str(session)]) == 0
-    assert "motor: 5.0 ms after the sample (99 %: 5.2, most 25.0; 100 times)" in (
-        capsys.readouterr().out
-    )
+    for command in (["info", "--latency"], ["latency"]):
+        assert main([*command, str(session)]) == 0
+        table = [line.split() for line in capsys.readouterr().out.splitlines()]
+        assert ["sample", "to", "motor", "command", "5.0", "5.2", "25.0", "100"] in table
     assert main(["info", "--latency", str(session), "--json", "-"]) == 0
     assert json.loads(capsys.readouterr().out)["latency"]["motor"]["count"] == 100

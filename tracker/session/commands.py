@@ -1,4 +1,4 @@
-"""The commands ``export``, ``info``, ``verify``, ``recover`` and ``compare``."""
+"""The commands ``export``, ``info``, ``latency``, ``verify``, ``recover`` and ``compare``."""
 
 from __future__ import annotations
 
@@ -35,8 +35,13 @@ def _add_info(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--latency",
         action="store_true",
-        help="also report the latency of vibration motors and robots",
+        help="also report the latencies, as `glovetrack latency` does",
     )
+    add_json(command)
+
+
+def _add_latency(command: argparse.ArgumentParser) -> None:
+    _add_file(command)
     add_json(command)
 
 
@@ -197,11 +202,20 @@ def _info(args: argparse.Namespace) -> int:
         for name, t in found["topics"].items()
     ]
     if args.latency:
-        from tracker.session.latency import latencies_of, latency_lines
+        from tracker.session.latency import latencies_of, latency_table
 
         found["latency"] = latencies_of(args.file)
-        lines += latency_lines(found["latency"])
+        lines += [f"  {line}" for line in latency_table(found["latency"])]
     finish(args, found, lines, [args.file])
+    return 0
+
+
+def _latency(args: argparse.Namespace) -> int:
+    from tracker.session.latency import latencies_of, latency_table
+
+    check_json(args, [args.file])
+    found = latencies_of(args.file)
+    finish(args, {"latency": found}, latency_table(found), [args.file])
     return 0
 
 
@@ -310,6 +324,12 @@ def _compare(args: argparse.Namespace) -> int:
 
 EXPORT = Command("export", "convert a session to another format", _export, add=_add_export)
 INFO = Command("info", "show the contents of a session", _info, add=_add_info)
+LATENCY = Command(
+    "latency",
+    "report the latencies of a recording, from sample or exposure to pose, motor and robot",
+    _latency,
+    add=_add_latency,
+)
 VERIFY = Command("verify", "check sessions for damage", _verify, add=_add_verify)
 RECOVER = Command("recover", "recover a damaged recording", _recover, add=_add_recover)
 COMPARE = Command(
