@@ -56,6 +56,11 @@ def _add_rig(parser: argparse.ArgumentParser) -> None:
         "--board", action="store_true", help="start with a calibration board in front of the camera"
     )
     parser.add_argument(
+        "--led",
+        action="store_true",
+        help="show an LED in place of the first motor in the images, for `glovetrack loop-back`",
+    )
+    parser.add_argument(
         "--fps", type=float, default=30.0, help="frame rate of the camera, Hz (default: 30)"
     )
     parser.add_argument("--seed", type=int, default=1, help="random seed of the wearer")
@@ -75,7 +80,7 @@ def _rig(args: argparse.Namespace) -> int:
     args.folder.mkdir(parents=True, exist_ok=True)
     end = time.monotonic() + (args.duration or LASTS)
     calibration = args.folder / CALIBRATION
-    devices = SimulatedRig(_spec(args), args.folder, args.lenses == "apart", args.force)
+    devices = SimulatedRig(_spec(args), args.folder, args.lenses == "apart", args.force, args.led)
     if args.board:
         devices.hold_board(True)
     lines = _Lines(devices.execute)

@@ -295,6 +295,11 @@ class SimulatedGlove:
         with contextlib.suppress(BlockingIOError, OSError):  # full, or the host has disconnected
             del self._unsent[: os.write(self._master, self._unsent)]
 
+    def light(self, begin: float, end: float) -> float:
+        """Brightness, 0 to 1, of an LED in place of the first motor: the mean between two times of
+        `time.monotonic`. From any thread."""
+        return self._motors.mean(0, begin - self._t_0, end - self._t_0)
+
     def complain(self, text: str) -> None:
         """Send an ERROR frame."""
         with self._lock:

@@ -194,6 +194,16 @@ class _Sender:
         self.pipe.close()
 
 
+LED_AT, LED_RADIUS, LED_EXPOSURE = (40, 40), 7, 0.004  # px, px, s
+
+
+def with_led(image: Image, brightness: float) -> Image:
+    """The image (h, w, 3) with an LED at `LED_AT`, of brightness 0 to 1."""
+    lit = image.copy()
+    cv2.circle(lit, LED_AT, LED_RADIUS, (255, 255, 255), cv2.FILLED)
+    return np.asarray(cv2.addWeighted(lit, brightness, image, 1.0 - brightness, 0.0), np.uint8)
+
+
 WAIT = 0.05  # s to wait for an image, and between two checks for a reader
 STARTS_WITHIN = 120.0  # s
 
@@ -212,9 +222,15 @@ class SimulatedRig:
     the wearers' hands measured with a ruler, by side."""
 
     def __init__(
-        self, spec: DemoSpec, folder: Path, apart: bool = False, force: bool = False
+        self,
+        spec: DemoSpec,
+        folder: Path,
+        apart: bool = False,
+        force: bool = False,
+        led: bool = False,
     ) -> None:
-        """With ``apart`` two cameras are separate devices, the right one with smaller images.
+        """With ``apart`` two cameras are separate devices, the right one with smaller images. With
+        ``led`` the first glove has an LED in place of its first motor, which the cameras see.
 
         Pipes and links left in ``folder`` by a killed rig are replaced, other files only with
         ``force``. Raises DeviceError or FileError if they cannot be created.
@@ -225,6 +241,7 @@ class SimulatedRig:
         self._camera = SimulatedCamera(spec)
         self._sent = RigCamera(folder, apart, spec.right_late)
         self._board: HeldBoard | None = None
+        self._has_led = led
         self._packets = {side: DrawnAhead(hand.imu_samples()) for side, hand in hands.items()}
         self._gloves = {side: self._glove_of(hand) for side, hand in hands.items()}
         links = {side: self._link(side) for side in hands}
@@ -252,8 +269,17 @@ class SimulatedRig:
                 continue
             board = self._board
             seen = frame.left, frame.right
-            self._sent.put(seen if board is None else board.pair(frame.t - t_0, frame.index))
+            if board is not None:
+                seen = board.pair(frame.t - t_0, frame.index)
+            self._sent.put(self._lit(seen, frame.t) if self._has_led else seen)
         return self._sent.taken
+
+    def _lit(self, pair: Pair, t: float) -> Pair:
+        """With the LED as it was at the exposure."""
+        glove = next(iter(self._gloves.values()))
+        share = glove.light(t - LED_EXPOSURE / 2, t + LED_EXPOSURE / 2)
+        left, right = pair
+        return with_led(left, share), None if right is None else with_led(right, share)
 
     def hold_board(self, held: bool) -> str:
         """Hold a board in front of the camera, or remove it; returns a report."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import deque
 
 import numpy as np
 
@@ -20,6 +21,8 @@ ELSEWHERE = 0.1
 FIRST_IMU, IMUS_PER_MOTOR = 2, 2
 """The IMU at the end of the first motor's finger, and IMUs for each finger after it."""
 MOST_MS = 5000
+KEPT = 50
+"""Commands of which `MotorVibration.mean` knows."""
 
 
 class MotorVibration:
@@ -28,12 +31,24 @@ class MotorVibration:
     def __init__(self, imu_count: int, rng: np.random.Generator) -> None:
         self._n, self._rng = imu_count, rng
         self._running: dict[int, tuple[float, float]] = {}  # end time, share of full amplitude
+        self._runs: deque[tuple[int, float, float, float]] = deque(maxlen=KEPT)
         self._axis = rng.normal(0, 1 / math.sqrt(3), (2, imu_count, 3))
 
     def run(self, command: Haptic, now: float) -> None:
         """Starts or stops a motor."""
         duration = min(command.duration_ms, MOST_MS) / 1000
-        self._running[command.channel] = now + duration, command.amplitude / 255
+        share = command.amplitude / 255
+        self._running[command.channel] = now + duration, share
+        self._runs.append((command.channel, now, now + duration, share))
+
+    def mean(self, channel: int, begin: float, end: float) -> float:
+        """Mean share of full amplitude of a motor, or the brightness of a light in its place."""
+        total, until = 0.0, end
+        for number, on, off, share in reversed(tuple(self._runs)):
+            if number == channel and on < until:
+                total += share * max(min(off, until) - max(on, begin), 0.0)
+                until = on  # a command replaces the one before
+        return total / (end - begin)
 
     def at(self, t: float) -> tuple[Array, Array] | None:
         """accel (n, 3) m/s² and gyro (n, 3) rad/s to be added at ``t``; None if no motor runs."""

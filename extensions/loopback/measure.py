@@ -1,0 +1,126 @@
+"""Blinks a light at a glove and records the images of it."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable, Sequence
+from typing import NamedTuple, Protocol
+
+import cv2
+import numpy as np
+
+from extensions.loopback.fit import Light, find_light
+from tracker.base.errors import DeviceError
+from tracker.base.notices import notice
+from tracker.messages import Array, StereoFrame
+
+CELL = 16  # px, of the grid in which the light is searched
+ON = 0.12  # s, less than the shortest pause
+PAUSE = 0.2, 0.5  # s between pulses
+SETTLE = 1.0  # s of images before the first pulse
+FULL = 255
+WAIT = 0.2  # s for an image
+
+
+class Glove(Protocol):
+    """A glove whose motor outputs can be switched."""
+
+    def poll(self, timeout: float) -> Sequence[object]: ...
+
+    def vibrate(self, channel: int, amplitude: int, duration_ms: int) -> bool: ...
+
+
+class Camera(Protocol):
+    def read(self, timeout: float) -> StereoFrame | None: ...
+
+
+class LoopBack(NamedTuple):
+    """A measurement. ``light``: its delay is that from the command to the light, by the images'
+    times; arrival (N,) s: from exposure to arrival of each image; place (2,) px of the light."""
+
+    light: Light
+    arrival: Array
+    place: tuple[int, int]
+    pulses: int
+    images: int
+
+
+class Pulses:
+    """Commands at irregular times, the same ones in each measurement, in a thread of its own."""
+
+    def __init__(self, glove: Glove, channel: int, clock: Callable[[], float]) -> None:
+        self._glove, self._channel, self._clock = glove, channel, clock
+        self._sent: list[float] = []
+        self._ended = threading.Event()
+        names = {"loop-back pulses": self._blink, "loop-back glove": self._poll}
+        self._threads = [threading.Thread(target=f, name=n, daemon=True) for n, f in names.items()]
+
+    def start(self) -> None:
+        for thread in self._threads:
+            thread.start()
+
+    def stop(self) -> Array:
+        """(P, 2) s: begin and end of each pulse, as commanded."""
+        self._ended.set()
+        for thread in self._threads:
+            thread.join()
+        begins = np.array(self._sent)
+        return np.column_stack([begins, begins + ON])
+
+    def _blink(self) -> None:
+        rng = np.random.default_rng(1)
+        self._ended.wait(SETTLE)
+        while not self._ended.wait(ON + rng.uniform(*PAUSE)):
+            now = self._clock()
+            if self._glove.vibrate(self._channel, FULL, round(1000 * ON)):
+                self._sent.append(now)
+
+    def _poll(self) -> None:
+        while not self._ended.is_set():
+            self._glove.poll(0.05)
+
+
+def measure(
+    glove: Glove,
+    camera: Camera,
+    seconds: float,
+    channel: int = 0,
+    clock: Callable[[], float] = time.monotonic,
+) -> LoopBack:
+    """Blinks output ``channel`` for ``seconds`` and finds the light in the left images.
+
+    Raises DeviceError without images, without a light that blinks, and for a glove that does not
+    accept commands.
+    """
+    pulses = Pulses(glove, channel, clock)
+    times, arrival, cells, shape = [], [], [], (0, 0)
+    pulses.start()
+    end = clock() + seconds
+    try:
+        while clock() < end:
+            frame = camera.read(WAIT)
+            if frame is not None and frame.left is not None:
+                grid = brightness(frame.left)
+                times.append(frame.t)
+                arrival.append(frame.t_arrival - frame.t)
+                cells.append(grid.ravel())
+                shape = grid.shape
+    finally:
+        sent = pulses.stop()
+    if not cells:
+        raise DeviceError(notice("loopback.no_images"))
+    if not len(sent):
+        raise DeviceError(notice("loopback.no_commands"))
+    light = find_light(np.array(times), np.array(cells), sent)
+    row, column = divmod(light.cell, shape[1])
+    place = CELL * column + CELL // 2, CELL * row + CELL // 2
+    return LoopBack(light, np.array(arrival), place, len(sent), len(times))
+
+
+def brightness(image: np.ndarray) -> Array:
+    """(rows, columns): mean of the brightest channel of each cell of an image (h, w, 3)."""
+    rows, columns = image.shape[0] // CELL, image.shape[1] // CELL
+    brightest = image[: rows * CELL, : columns * CELL].max(axis=2)
+    small = cv2.resize(brightest, (columns, rows), interpolation=cv2.INTER_AREA)
+    return np.asarray(small, dtype=np.float32)

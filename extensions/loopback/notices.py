@@ -1,0 +1,14 @@
+"""Texts of the loop-back's notices."""
+
+TEXTS = {
+    "loopback.too_short": (
+        "Only {pulses} pulses of the light are in the images, {least} are required. Measure longer."
+    ),
+    "loopback.no_light": (
+        "No place in the left image follows the commands (correlation {correlation}). The light "
+        "must be connected to this motor output and be in the picture, and the exposure be short "
+        "enough that it is not saturated."
+    ),
+    "loopback.no_images": "The camera has sent no images.",
+    "loopback.no_commands": "The glove has accepted no command.",
+}
