@@ -67,9 +67,12 @@ def demo(window, qtbot, receiver):
 
 
 @pytest.mark.timeout(400)
-def test_a_recording_is_complete_although_the_process_is_killed(demo, receiver, qtbot, tmp_path):
-    """A first recording is tracked again bit for bit. During a second one the process is killed:
-    tracking starts again, and the file is complete up to then. A stream is received meanwhile."""
+def test_a_recording_is_complete_although_the_process_crashes(
+    demo, receiver, qtbot, tmp_path, caplog
+):
+    """A first recording is tracked again bit for bit. During a second one the process crashes:
+    tracking starts again, the file is complete up to then, and the log shows where. A stream is
+    received meanwhile."""
     host, done, errors = demo.host, [], []
     host.recording.finished.connect(done.append)
     host.error.connect(errors.append)
@@ -94,13 +97,15 @@ def test_a_recording_is_complete_although_the_process_is_killed(demo, receiver, 
     engine = host.setup.engine
     assert host.recording.begin(RecordingRequest(tmp_path / "b.mcap", "", ""))
     qtbot.waitUntil(lambda: host.recording.written > 50, timeout=LONG)
-    os.kill(engine._process.pid, signal.SIGKILL)
+    os.kill(engine._process.pid, signal.SIGSEGV)
     qtbot.waitUntil(lambda: len(done) == 2, timeout=LONG)
     qtbot.waitUntil(
         lambda: host.setup is not None and host.setup.engine is not engine and host.running,
         timeout=LONG,
     )
     assert any("starts again" in text for text in errors)
+    assert "Segmentation fault" in caplog.text
+    assert not engine._process._crash.exists()
     qtbot.waitUntil(lambda: not needs_recovery(tmp_path / "b.mcap"), timeout=LONG)
     recording = glovetrack.open(tmp_path / "b.mcap")
     assert len(recording.t) > 20
@@ -183,7 +188,7 @@ def connect(monkeypatch, no_leaks):
     """Makes the window's end of a setup."""
     made = []
 
-    def start(name, serve, source, language, daemon):
+    def start(name, serve, source, language, crash, daemon):
         made.append(ThreadAsProcess(source))
         return made[-1].ours, made[-1]
 

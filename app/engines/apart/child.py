@@ -6,6 +6,7 @@ It ends when the window asks for that or has ended; a recording is finished firs
 from __future__ import annotations
 
 import contextlib
+import faulthandler
 import logging
 import os
 import queue
@@ -17,6 +18,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from multiprocessing.connection import Connection
 from multiprocessing.reduction import ForkingPickler
+from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QCoreApplication
@@ -64,8 +66,17 @@ LONGEST_CLOSING = 100.0
 """s without progress after which the process ends although a device or a disk hangs."""
 
 
-def serve(pipe: Connection, source: Source, language: str) -> None:
-    """Runs until the window ends it."""
+def serve(pipe: Connection, source: Source, language: str, crash: Path) -> None:
+    """Runs until the window ends it; the file ``crash`` receives the traceback of a hard crash, and
+    is removed at a regular end."""
+    with crash.open("w", encoding="utf-8") as file:
+        faulthandler.enable(file)
+        _serve(pipe, source, language)
+        faulthandler.disable()
+    crash.unlink(missing_ok=True)
+
+
+def _serve(pipe: Connection, source: Source, language: str) -> None:
     for name in IGNORED:
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), signal.SIG_IGN)

@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import atexit
+import contextlib
 import itertools
 import logging
+import os
 import pickle
+import tempfile
 import threading
 import time
 from collections.abc import Callable
 from concurrent.futures import Future
 from concurrent.futures import TimeoutError as FutureTimeout
+from pathlib import Path
 from typing import Any, TypeVar
 
 from app.engines.apart.child import END, serve
@@ -46,6 +50,12 @@ def process_ended() -> Notice:
     return failure("engine.process_ended")
 
 
+def _empty_file() -> Path:
+    handle, name = tempfile.mkstemp(prefix="glovetrack-tracking-", suffix=".log")
+    os.close(handle)
+    return Path(name)
+
+
 class EngineProcess:
     """Opens ``source`` in a process. Methods may be called from any thread.
 
@@ -55,8 +65,9 @@ class EngineProcess:
 
     def __init__(self, source: Source) -> None:
         self.source = source
+        self._crash = _empty_file()
         self._pipe, self._process = start_child(
-            "glovetrack-engine", serve, source, language(), daemon=False
+            "glovetrack-engine", serve, source, language(), self._crash, daemon=False
         )
         self._sending = threading.Lock()
         self._numbers = itertools.count(1)
@@ -194,7 +205,15 @@ class EngineProcess:
         for future in (*self._waiting.values(), self._opened):
             if not future.done():
                 future.set_exception(DeviceError(process_ended()))
+        self._log_crash()
         self.on_end()
+
+    def _log_crash(self) -> None:
+        """A crash in compiled code leaves a traceback, which goes to the log of the window."""
+        with contextlib.suppress(FileNotFoundError):  # a regular end
+            if text := self._crash.read_text("utf-8", errors="replace"):
+                _log.error("The tracking process has crashed:\n%s", text)
+            self._crash.unlink()
 
     def _received(self) -> bytes | None:
         """The next message; None when the process has ended."""
