@@ -110,7 +110,7 @@ clean:
 	find app extensions glovetrack tracker resources tests -name __pycache__ -prune -exec rm -rf {} +
 
 SET_UP := pyproject.toml packaging/environment.sh packaging/system_libraries.sh \
-	tracker/kernels/build.py tracker/kernels/aot.py tracker/kernels/dispatch.c
+	$(addprefix tracker/kernels/,build.py aot.py target.py toolchain.py dispatch.c runtime.c module.c)
 
 $(READY): requirements.lock $(SET_UP)
 	packaging/system_libraries.sh app

@@ -39,10 +39,12 @@ def _add(command: argparse.ArgumentParser) -> None:
 def _loop_back(args: argparse.Namespace) -> int:
     from extensions.loopback.measure import measure
     from glovetrack.devices import glove_devices, with_camera
+    from tracker.sensors.glove_link import GloveLink
 
     check_json(args, [])
     devices = with_camera(glove_devices(args.port), args.camera, args.calibration)
     glove = devices.gloves[0].source
+    assert isinstance(glove, GloveLink)  # which `glove_devices` finds
     try:
         found = measure(glove, devices.camera, args.seconds, args.channel)
     finally:

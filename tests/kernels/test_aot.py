@@ -15,17 +15,19 @@ from multiprocessing import get_context
 
 import numpy as np
 import pytest
-from numba import njit, types
+from numba import types
 
-from tracker.kernels import aot
+from tracker.kernels import aot, target, toolchain
 
 TINY = 1e-17
 VECTOR = types.Array(types.float64, 1, "C")
 
 
-@njit
 def doubled(x):
     return 2.0 * x
+
+
+doubled = target.declare(doubled, {})
 
 
 def rounded(x):
@@ -43,6 +45,10 @@ def lengths(x):
     return doubled(np.sum(x)), np.concatenate((x, x))
 
 
+def order(x):
+    return np.argsort(x, kind="mergesort")
+
+
 def busy(n):
     total = 0.0
     for i in range(n):
@@ -57,16 +63,18 @@ EXPORTS = {
     "python_division": ((types.float64, types.float64), divided, {}),
     "numpy_division": ((types.float64, types.float64), divided, {"error_model": "numpy"}),
     "lengths": ((VECTOR,), lengths, {}),
+    "order": ((VECTOR,), order, {}),
     "busy": ((types.int64,), busy, {"nogil": True}),
     "undisturbed": ((types.int64,), busy, {"nogil": False}),
 }
 
 
 def compile_into(folder):
-    module = aot.ExtensionModule("canary", folder)
-    for name, (arguments, function, options) in EXPORTS.items():
-        module.add(name, arguments, function, {"nopython": True, **options})
-    module.compile()
+    functions = [aot.Function(name, *rest) for name, rest in EXPORTS.items()]
+    code = folder / f"functions{toolchain.OBJECT}"
+    code.write_bytes(aot.object_code("canary", functions))
+    toolchain.build_runtime(folder)
+    toolchain.link_module("canary", code, folder, folder)
 
 
 @pytest.fixture(scope="module")
@@ -95,6 +103,10 @@ def test_arrays_tuples_and_errors_are_returned(compiled):
     assert total == 6.0 and np.array_equal(twice, [0.0, 1.0, 2.0, 0.0, 1.0, 2.0])
     with pytest.raises(ValueError, match="nothing to sum"):
         compiled.lengths(np.zeros(0))
+
+
+def test_numbas_own_decorated_functions_are_linked(compiled):
+    assert np.array_equal(compiled.order(np.array([3.0, 1.0, 2.0, 1.0])), [1, 3, 2, 0])
 
 
 def turns_during(call):

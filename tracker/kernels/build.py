@@ -29,9 +29,8 @@ os.environ[MODE] = "build"  # before any kernel is created
 
 import numba
 import numpy as np
-from setuptools import Distribution, Extension
 
-from tracker.kernels import aot, cache, exported, numba_types, parts, tools
+from tracker.kernels import aot, cache, exported, numba_types, parts, target, toolchain, tools
 from tracker.kernels.fingerprint import fingerprint
 from tracker.kernels.parts import HERE
 from tracker.kernels.signature import SignatureError, check_result, signature
@@ -67,7 +66,7 @@ def main(wanted: list[str]) -> None:
         parts.table_of(part).unlink(missing_ok=True)  # it must not describe a new module
     _get_dispatch()
     new = [part for part in old if not _fetch_part(part, tables[part])]
-    _build_side_by_side({part: entries[part] for part in new})
+    _build_side_by_side(new)
     print(f"{len(tables)} parts of kernels: {len(new)} compiled, {len(old) - len(new)} fetched")
 
 
@@ -116,48 +115,59 @@ def _table(part: str, entries: list[LibraryEntry]) -> str:
 def _compiled_by() -> str:
     """Versions of everything that affects a kernel's compiled code."""
     here = hashlib.sha256()
-    for source in (__file__, aot.__file__, numba_types.__file__):
-        here.update(Path(source).read_bytes())
+    for module in (aot, numba_types, target, toolchain):
+        here.update(Path(str(module.__file__)).read_bytes())
+    for source in (Path(__file__), HERE / "runtime.c", HERE / "module.c"):
+        here.update(source.read_bytes())
     python = ".".join(map(str, sys.version_info[:3]))
     versions = f"python {python} numba {numba.__version__} numpy {np.__version__}"
     return f"# {versions} build {here.hexdigest()[:16]}"
 
 
-def _build_side_by_side(entries: dict[str, list[LibraryEntry]]) -> None:
-    """One process for each part, as many at a time as there are cores, the longest first.
+def _build_side_by_side(wanted: list[str]) -> None:
+    """As many parts at a time as there are cores, the longest first.
 
-    Where processes can be forked they start with everything imported, which takes 4 s.
+    A process compiles several parts, which share what they call; wide ones come last, in other
+    processes. Where processes can be forked they start with everything imported, which takes 4 s.
     """
-    if not entries:
+    if not wanted:
         return
     can_fork = "fork" in multiprocessing.get_all_start_methods() and sys.platform == "linux"
     context = multiprocessing.get_context("fork" if can_fork else "spawn")
     sizes = Counter(map(parts.part_of, exported.kernels()))
-    longest_first = sorted(entries, key=lambda part: -sizes[part])
-    with ProcessPoolExecutor(os.cpu_count(), context) as pool:
-        waiting = {pool.submit(_build_part, part): part for part in longest_first}
-        failed = []
-        for done, future in enumerate(as_completed(waiting), 1):
-            error = future.exception()
-            if error is not None:
-                failed.append(f"{waiting[future]} ({error})")
-            print(tools.progress_line(waiting[future], done, len(waiting)), flush=True)
+    longest_first = sorted(wanted, key=lambda part: -sizes[part.removesuffix(parts.WIDE)])
+    failed: list[str] = []
+    done = 0
+    with tempfile.TemporaryDirectory() as runtime:
+        toolchain.build_runtime(Path(runtime))
+        for wide in (False, True):
+            group = [part for part in longest_first if parts.is_wide(part) == wide]
+            with ProcessPoolExecutor(os.cpu_count(), context) as pool:
+                waiting = {pool.submit(_build_part, part, Path(runtime)): part for part in group}
+                for future in as_completed(waiting):
+                    done, part, error = done + 1, waiting[future], future.exception()
+                    failed += [] if error is None else [f"{part} ({error})"]
+                    print(tools.progress_line(part, done, len(wanted)), flush=True)
     if failed:
         raise SystemExit(f"Not compiled: {', '.join(failed)}")
 
 
-def _build_part(part: str) -> None:
-    entries = _entries()[part]
+def _build_part(part: str, runtime: Path) -> None:
+    entries, module = _entries()[part], parts.module_of(part)
     features = parts.WIDE_FEATURES if parts.is_wide(part) else ""
-    module = aot.ExtensionModule(parts.module_of(part), HERE, features)
-    for entry in entries:
-        function = entry.kernel.py_func
-        types = numba_types.arguments(function)
-        module.add(entry.symbol, types, function, entry.kernel.targetoptions)
-    module.compile()
+    with tempfile.TemporaryDirectory() as work:
+        code = Path(work, f"{module}{toolchain.OBJECT}")
+        code.write_bytes(aot.object_code(module, [_function(e) for e in entries], features))
+        toolchain.link_module(module, code, runtime, HERE)
     table = _table(part, entries)
     parts.table_of(part).write_text(table, "utf-8")
-    cache.store(table, parts.module_of(part))
+    cache.store(table, module)
+
+
+def _function(entry: LibraryEntry) -> aot.Function:
+    python = entry.kernel.py_func
+    types = numba_types.arguments(python)
+    return aot.Function(entry.symbol, types, python, entry.kernel.targetoptions)
 
 
 def _get_dispatch() -> None:
@@ -165,13 +175,7 @@ def _get_dispatch() -> None:
     made_of = f"{_compiled_by()}\n{(HERE / 'dispatch.c').read_text('utf-8')}"
     if cache.fetch(made_of, DISPATCH):
         return
-    with tempfile.TemporaryDirectory() as work:
-        source = os.path.relpath(HERE / "dispatch.c")
-        extension = Extension(DISPATCH, [source], include_dirs=[np.get_include()])
-        command: Any = Distribution({"ext_modules": [extension]}).get_command_obj("build_ext")
-        command.build_lib, command.build_temp = str(HERE), work
-        command.ensure_finalized()
-        command.run()
+    toolchain.build_dispatch(DISPATCH, HERE)
     cache.store(made_of, DISPATCH)
 
 

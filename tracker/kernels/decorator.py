@@ -71,9 +71,13 @@ def _make(function: Callable[..., Any], options: dict[str, Any]) -> Any:
     library, mode = _library(), os.environ.get(MODE, "")
     if library is not None:
         return library.kernel(function, options)
+    if mode == "build":
+        from tracker.kernels.target import declare
+
+        return declare(function, options)
     from tracker.kernels.jit import compiled
 
-    return compiled(function, options, cache=mode != "build")
+    return compiled(function, options)
 
 
 @cache

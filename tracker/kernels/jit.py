@@ -1,4 +1,4 @@
-"""Kernels compiled by numba on their first call; the only module that imports numba."""
+"""Kernels compiled by numba on their first call."""
 
 from __future__ import annotations
 
@@ -12,14 +12,18 @@ from numba.core.caching import FunctionCache
 _log = logging.getLogger(__name__)
 
 
-def compiled(function: Callable[..., Any], options: dict[str, Any], *, cache: bool = True) -> Any:
+def compiled(function: Callable[..., Any], options: dict[str, Any]) -> Any:
     """numba's dispatcher, which compiles for the argument types and caches the result on disk."""
-    of_numba = {name: value for name, value in options.items() if name != "wide"}
-    made = numba.njit(**{"nogil": True, **of_numba})(function)
-    if cache and not numba.config.DISABLE_JIT:
+    made = numba.njit(**numba_options(options))(function)
+    if not numba.config.DISABLE_JIT:
         made._cache = KernelCache(function)
     made.options = options
     return made
+
+
+def numba_options(options: dict[str, Any]) -> dict[str, Any]:
+    """The options of `decorator.kernel` for numba.njit."""
+    return {"nogil": True, **{name: value for name, value in options.items() if name != "wide"}}
 
 
 class KernelCache(FunctionCache):
