@@ -93,7 +93,8 @@ def test_the_report_of_a_simulated_recording_matches_its_truth(sessions: tuple[P
         row = found.row(f"{joint}_flexion")
         true = angles[:, names.index(f"{joint}_flexion")]
         assert row is not None and row.course.repetitions == FISTS, joint
-        assert np.rad2deg(row.measure.range) == pytest.approx(np.ptp(true), abs=2.0), joint
+        # bones may differ by 4 % from the file, which the filter must find out: up to 2.1°
+        assert np.rad2deg(row.measure.range) == pytest.approx(np.ptp(true), abs=2.5), joint
         fastest = np.abs(np.gradient(true, t)).max()
         assert np.rad2deg(row.course.fastest) == pytest.approx(fastest, rel=0.05), joint
         assert row.measure.measured > 0.95
