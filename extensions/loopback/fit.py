@@ -16,7 +16,7 @@ from tracker.base.errors import DeviceError
 from tracker.base.notices import notice
 from tracker.messages import Array
 
-EARLIEST, LATEST, STEP, FINE = -0.1, 0.4, 0.002, 0.0002  # s
+EARLIEST, LATEST, STEP, FINE = -0.1, 0.6, 0.002, 0.0002  # s
 LEAST = 0.7  # correlation of a light that is seen
 DISTINCT = 0.6  # of it, at most, with the same commands in reverse
 SLOW = 0.75  # s over which slow changes of brightness are removed
