@@ -17,7 +17,7 @@ from tracker.simulation.two_hands import GlovedHand, TwoHandsSimulation
 GLOVES = {"left": "vist-small-left", "right": "vist-small"}
 
 
-ENOUGH = 4.2  # s; this pair is recognised after 3.6 s, others after 3.7 to 6.5 s
+ENOUGH = 4.2  # s; this pair is recognised after 3.4 s, others after 3.6 to 7.4 s
 
 
 @pytest.mark.parametrize("exchanged", [True, False])

@@ -21,6 +21,7 @@ from tracker.messages import BlobFrame, ImuSample, Tracking
 ENOUGH = 8  # blobs in each image, of a glove that is there to be found
 PATIENCE = 2.0  # s of search with as many, before the mirrored glove is tried
 TRIAL = 8.0  # s that it is tried for; again only after a hand was found meanwhile
+FOUND = 0.5  # s for which a hand has to be tracked to be the right one: wrong ones are lost sooner
 SURE = 1.0  # s for which the mirrored hand has to be tracked, and ours not found
 
 
@@ -103,14 +104,16 @@ class ExchangeWatch:
         self._trial: Hands | None = None
         self._tracking = dict.fromkeys(SIDES, Tracking.SEARCHING)
         self._tried_as = dict.fromkeys(SIDES, Tracking.SEARCHING)
-        self._since = self._sure_since = math.inf
+        self._since = self._sure_since = self._found_since = math.inf
         self._sees_many = self._over = False
         self.notices = Outbox()
 
     def packet(self, side: str, sample: ImuSample, tracking: Tracking) -> None:
         """Takes a packet of the glove used for ``side``, and that hand's state of tracking."""
         self._tracking[side] = tracking
-        if Tracking.TRACKING in self._tracking.values():
+        found = Tracking.TRACKING in self._tracking.values()
+        self._found_since = min(self._found_since, sample.t) if found else math.inf
+        if sample.t - self._found_since >= FOUND:
             self._trial, self._over, self._since = None, False, math.inf
         elif self._trial is not None:
             self._try(self._trial, OTHER[side], sample)
