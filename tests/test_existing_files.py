@@ -44,6 +44,7 @@ NOT_WRITTEN = {
     *("words", "--task", "--to", "--views", "--wearer", "--model", "--kinds", "--by", "--gaps"),
     *("--folder", "--only", "reference", "--mapping", "--start", "--pulse", "--side", "model"),
     *("--fingers", "protocol", "--participant", "--variants", "--camera-errors"),
+    *("--camera", "--port", "--calibration"),
 }
 """Those that name what is read, devices, addresses, and other text."""
 
@@ -100,6 +101,7 @@ CASES: dict[str, Words] = {
     "teleop": lambda s, f: [s.tracked, "-o", f / "o.mcap", "--json", f / "j.json"],
     "import": lambda s, f: [s.table, "-o", f / "o.mcap", "--json", f / "j.json"],
     "info": lambda s, f: [s.tracked, "--json", f / "j.json"],
+    "latency": lambda s, f: [s.tracked, "--json", f / "j.json"],
     "gaps": lambda s, f: [s.tracked, "--json", f / "j.json"],
     "doctor": lambda s, f: ["--only", "processor", "-o", f / "d.txt", "--json", f / "j.json"],
     "verify": lambda s, f: [s.tracked, "--json", f / "j.json"],
@@ -173,6 +175,7 @@ ELSEWHERE |= {(f"study {name}", "--json") for name in ("check", "status", "table
 ELSEWHERE |= {(f"study {name}", "--output") for name in ("report", "tables", "export")}
 ELSEWHERE |= {("imu-noise", "--out"), ("imu-noise", "--json")}  # a minute at rest
 ELSEWHERE |= {(f"imu-{name}", "--json") for name in ("axes", "drift")}
+ELSEWHERE |= {("loop-back", "--json")}  # devices
 ELSEWHERE |= {(opens, "--out") for opens in ("window", "demo", "devices")}
 """Options whose tests are of their own, below."""
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import threading
 import time
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -15,6 +16,8 @@ from extensions.loopback.command import figures, lines
 from extensions.loopback.fit import Light, find_light
 from extensions.loopback.measure import LoopBack, measure
 from tracker.base.errors import DeviceError
+from tracker.cli import main
+from tracker.sensors.glove_link import GloveLink
 
 EXPOSURE = 0.006  # s
 GAIN = 60.0
@@ -130,3 +133,20 @@ def test_a_light_before_its_command_is_reported_as_wrong_times() -> None:
     found = LoopBack(Light(0, -0.012, 0.001, 0.9), np.full(9, 0.03), (8, 8), 30, 900)
     assert "too early by at least 12.0 ms" in lines(figures(found))[-1]
     assert len(lines(figures(found._replace(light=Light(0, 0.004, 0.001, 0.9))))) == 4
+
+
+def test_the_command_writes_json_and_keeps_a_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    found = LoopBack(Light(0, 0.004, 0.001, 0.9), np.full(9, 0.03), (8, 8), 30, 900)
+    link = GloveLink(lambda: pytest.fail("not opened"), 7)
+    opened = SimpleNamespace(gloves=[SimpleNamespace(source=link)], camera=link)
+    monkeypatch.setattr("glovetrack.devices.glove_devices", lambda port: opened)
+    monkeypatch.setattr("glovetrack.devices.with_camera", lambda devices, *_: devices)
+    monkeypatch.setattr("extensions.loopback.measure.measure", lambda *_: found)
+    out = tmp_path / "a.json"
+    command = ["loop-back", "--camera", "0", "--calibration", "c.yml", "--json", str(out)]
+    assert main(command) == 0
+    assert json.loads(out.read_text("utf-8"))["command_to_light_ms"] == pytest.approx(4.0)
+    assert "Command to light, by the images' times: 4.0 ms (sd 1.0)." in capsys.readouterr().out
+    assert main(command) == 1 and main([*command, "--force"]) == 0
