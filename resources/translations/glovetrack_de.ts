@@ -13756,6 +13756,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>{file} does not contain a true hand. Choose a simulated session that was recorded with it.</source>
+      <translation>{file} enthält keine wahre Hand. Wählen Sie eine simulierte Aufnahme, die damit aufgenommen wurde.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>--participants must be at least 1, and --gaps between 0.1 and 60.</source>
       <translation>--participants muss mindestens 1 sein, und --gaps muss zwischen 0,1 und 60 liegen.</translation>
     </message>
@@ -13883,6 +13888,26 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>The motion of the body has no row between {start_s:.2f} and {end_s:.2f} s, where the session is. Specify another --offset.</source>
       <translation>Die Bewegung des Körpers hat keine Zeile zwischen {start_s:.2f} und {end_s:.2f} s, wo die Sitzung liegt. Geben Sie ein anderes --offset an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Only {pulses} pulses of the light are in the images, {least} are required. Measure longer.</source>
+      <translation>Nur {pulses} Impulse des Lichts sind in den Bildern, {least} sind erforderlich. Messen Sie länger.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No place in the left image follows the commands (correlation {correlation}). The light must be connected to this motor output and be in the picture, and the exposure be short enough that it is not saturated.</source>
+      <translation>Keine Stelle im linken Bild folgt den Befehlen (Korrelation {correlation}). Das Licht muss an diesem Motorausgang angeschlossen und im Bild sein, und die Belichtung muss so kurz sein, dass es nicht übersteuert.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The camera has sent no images.</source>
+      <translation>Die Kamera hat keine Bilder gesendet.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove has accepted no command.</source>
+      <translation>Der Handschuh hat keinen Befehl angenommen.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
