@@ -13871,26 +13871,6 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>{path} is not an OpenSim model.</source>
-      <translation>{path} ist kein OpenSim-Modell.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{path} has the format of OpenSim 3. Open it in OpenSim 4 and save it, then use that file.</source>
-      <translation>{path} hat das Format von OpenSim 3. Öffnen Sie die Datei in OpenSim 4, speichern Sie sie und verwenden Sie dann diese Datei.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{path} has no body {name}. Available: {known:list}.</source>
-      <translation>{path} hat keinen Körper {name}. Vorhanden: {known:list}.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The motion of the body has no row between {start_s:.2f} and {end_s:.2f} s, where the session is. Specify another --offset.</source>
-      <translation>Die Bewegung des Körpers hat keine Zeile zwischen {start_s:.2f} und {end_s:.2f} s, wo die Sitzung liegt. Geben Sie ein anderes --offset an.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
       <source>Only {pulses} pulses of the light are in the images, {least} are required. Measure longer.</source>
       <translation>Nur {pulses} Impulse des Lichts sind in den Bildern, {least} sind erforderlich. Messen Sie länger.</translation>
     </message>
@@ -13908,6 +13888,26 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>The glove has accepted no command.</source>
       <translation>Der Handschuh hat keinen Befehl angenommen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is not an OpenSim model.</source>
+      <translation>{path} ist kein OpenSim-Modell.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} has the format of OpenSim 3. Open it in OpenSim 4 and save it, then use that file.</source>
+      <translation>{path} hat das Format von OpenSim 3. Öffnen Sie die Datei in OpenSim 4, speichern Sie sie und verwenden Sie dann diese Datei.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} has no body {name}. Available: {known:list}.</source>
+      <translation>{path} hat keinen Körper {name}. Vorhanden: {known:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The motion of the body has no row between {start_s:.2f} and {end_s:.2f} s, where the session is. Specify another --offset.</source>
+      <translation>Die Bewegung des Körpers hat keine Zeile zwischen {start_s:.2f} und {end_s:.2f} s, wo die Sitzung liegt. Geben Sie ein anderes --offset an.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
