@@ -35,7 +35,7 @@ from tracker.messages import Array, BlobFrame, CameraPose
 from tracker.vision.finger_cloth import ASIDE, BEND, FLEXION, Finger, finger_joints
 from tracker.vision.rig import StereoRig
 
-APART = 0.045  # s between two evaluated images
+APART = 0.09  # s between two evaluated images
 INDEPENDENT_AFTER = 0.05  # s after which outlines are independent of each other
 LASTS = 0.3  # s after the last evaluated image for which fingers are shown as measured
 BODY_SD = 0.007  # m per axis, of what the grid does not contain: lengths, the hand's own pose
