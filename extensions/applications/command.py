@@ -9,6 +9,7 @@ from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from tracker.base.command import Command
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 from tracker.base.terminal import add_json, check_json, finish
@@ -207,3 +208,19 @@ def add_vehicles(vehicles: argparse.ArgumentParser) -> None:
         default=math.inf,
         help="stop after this time (default: run until interrupted)",
     )
+
+
+APPS = Command(
+    "apps",
+    "run an application that the hand controls: touch, swarm, arm, place",
+    run_application,
+    add=add_apps,
+)
+
+
+VEHICLES = Command(
+    "vehicles",
+    "simulate vehicles that receive MAVLink over UDP",
+    simulate_vehicles,
+    add=add_vehicles,
+)

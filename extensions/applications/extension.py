@@ -1,4 +1,4 @@
-"""Descriptors of the applications extension: a listener, four applications and two commands."""
+"""Descriptors of the applications extension: a listener and four applications."""
 
 from __future__ import annotations
 
@@ -6,13 +6,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from extensions.applications.command import (
-    add_apps,
-    add_vehicles,
-    run_application,
-    simulate_vehicles,
-)
-from tracker.base.command import Command
 from tracker.live.listeners import ListenedHand, Listener, ListenerKind
 
 if TYPE_CHECKING:
@@ -70,15 +63,3 @@ TOUCH = ApplicationKind("touch", "Virtual object to touch", _touch, order=10)
 ARM = ApplicationKind("arm", "Robot arm", _arm, "glovetrack[robot]", order=20)
 PLACE = ApplicationKind("place", "Virtual place", _place, order=30)
 SWARM = ApplicationKind("swarm", "Drone swarm", _swarm, order=40)
-APPS = Command(
-    "apps",
-    "run an application that the hand controls: touch, swarm, arm, place",
-    run_application,
-    add=add_apps,
-)
-VEHICLES = Command(
-    "vehicles",
-    "simulate vehicles that receive MAVLink over UDP",
-    simulate_vehicles,
-    add=add_vehicles,
-)

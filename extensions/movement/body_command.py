@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from tracker.base.command import Command
 from tracker.base.files import whole_files
 from tracker.base.terminal import add_json, check_json, finish
 
@@ -81,3 +82,11 @@ def opensim_body(args: argparse.Namespace) -> int:
     lines = [f"{args.output}: {', '.join(f'{s} hand at {n}' for s, n in segments.items())}"]
     finish(args, result, [*lines, f"{target}: {len(table.t)} rows"], [*inputs, args.output, target])
     return 0
+
+
+OPENSIM_BODY = Command(
+    "opensim-body",
+    "attach tracked hands to a whole-body OpenSim model",
+    opensim_body,
+    add=add_opensim_body,
+)

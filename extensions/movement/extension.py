@@ -1,10 +1,7 @@
-"""Descriptors of the movement extension: export formats and the report."""
+"""Descriptors of the movement extension's export formats."""
 
 from __future__ import annotations
 
-from extensions.movement.body_command import add_opensim_body, opensim_body
-from extensions.movement.report.command import add_report, report
-from tracker.base.command import Command
 from tracker.session.export.formats import COMMON, ExportFormat, Writer
 
 _WITHOUT_UNITS = tuple(name for name in COMMON if name != "units")
@@ -55,13 +52,4 @@ BIDS = ExportFormat(
     _bids,
     folder=True,
     order=150,
-)
-REPORT = Command(
-    "report", "summarise recordings in one HTML page and one table", report, add=add_report
-)
-OPENSIM_BODY = Command(
-    "opensim-body",
-    "attach tracked hands to a whole-body OpenSim model",
-    opensim_body,
-    add=add_opensim_body,
 )

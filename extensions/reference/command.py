@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from tracker.base.command import Command
 from tracker.base.terminal import add_json, check_json, finish
 from tracker.hand.names import SIDES
 
@@ -115,3 +116,19 @@ def accuracy_command(args: argparse.Namespace) -> int:
     )
     finish(args, as_json(measured), [headline(measured)], [*paths, args.output])
     return 0
+
+
+IMPORT = Command(
+    "import-reference",
+    "add a motion-capture recording to a session as a reference",
+    import_reference_command,
+    add=add_import,
+)
+
+
+ACCURACY = Command(
+    "accuracy",
+    "report the accuracy of sessions against their references",
+    accuracy_command,
+    add=add_accuracy,
+)

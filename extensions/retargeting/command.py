@@ -10,6 +10,7 @@ from pathlib import Path
 
 from extensions.robot.library import SHADOW, model_path, need_mujoco
 from extensions.robot.teleop_command import add_fingers
+from tracker.base.command import Command
 from tracker.base.files import check_target, write_whole
 from tracker.base.terminal import add_force
 
@@ -70,3 +71,15 @@ def write_config(args: argparse.Namespace) -> None:
         write_whole(urdf, robot_urdf(hand, tips=True), args.force)
     write_whole(args.out, text, args.force)
     print(f"{args.out}: {args.kind} retargeting of a {side} hand")
+
+
+CONFIG = Command(
+    "retargeting-config",
+    "write a dex-retargeting configuration for a robot hand",
+    write_config,
+    add=add_config,
+    description="Writes the configuration file of dex-retargeting (vector, position or DexPilot) "
+    "for the robot hand in an MJCF or URDF file: links, landmarks, scaling factor, and the "
+    "rotation to the hand's base. For an MJCF file, a URDF is written next to it.",
+    extra="robot",
+)

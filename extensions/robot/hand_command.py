@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from extensions.robot.library import SHADOW
 from extensions.robot.teleop_command import add_fingers
+from tracker.base.command import Command
 from tracker.base.errors import ConfigError
 from tracker.base.files import check_target
 from tracker.base.terminal import add_json, check_json, finish
@@ -82,3 +83,15 @@ def _line(row: FingerRow, wide: int) -> str:
     length = "" if math.isnan(row.length) else f"{1e3 * row.length:.0f} mm"
     joints = len(row.joints) or ""
     return f"{row.finger:<9}{row.link or '–':<{wide}}{row.how:<10}{joints:>6}{length:>9}"
+
+
+ROBOT_HAND = Command(
+    "robot-hand",
+    "show the fingers that are found in a robot hand's file",
+    show_robot_hand,
+    add=add_robot_hand,
+    description="Reads an MJCF or URDF file, and prints which links are the fingertips and how "
+    "they were found: by name, by position, or chosen with --fingers. With -o, the links are "
+    "written to a TOML file that --fingers of this command and of teleop reads.",
+    extra="robot",
+)

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from extensions.robot.library import SHADOW, need_mujoco
+from tracker.base.command import Command
 from tracker.base.errors import ConfigError
 from tracker.base.files import check_target
 from tracker.base.notices import notice
@@ -222,3 +223,12 @@ class _StateSender:
             model = self._driver.model
             payload = state_payload(state, model.joint_names, model.objects)
             self._socket.send(json.dumps(payload, separators=(",", ":")).encode())
+
+
+TELEOP = Command(
+    "teleop",
+    "drive a robot hand from a session or a live stream",
+    teleoperate,
+    add=add_teleop,
+    extra="robot",
+)

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from extensions.sheets.kinds import SheetKind
 from extensions.sheets.page import PAPERS_MM, Page
 from tracker.calibration.stereo.board import BoardSpec, page_size, print_image
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
 
 
 def board_page(paper: str = "a4", spec: BoardSpec | None = None) -> Page:
@@ -25,3 +28,10 @@ def board_page(paper: str = "a4", spec: BoardSpec | None = None) -> Page:
     page.axes.set_xlim(0.0, wide_mm)
     page.axes.set_ylim(0.0, high_mm)
     return page
+
+
+def _sheet(_hand: HandModel, _glove: GloveModel, paper: str) -> tuple[list[Page], str]:
+    return [board_page(paper)], "Calibration board"
+
+
+BOARD = SheetKind("board", "the calibration board of a camera", _sheet)

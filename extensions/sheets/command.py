@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 
 from extensions.sheets.kinds import SHEETS
+from tracker.base.command import Command
 from tracker.base.files import check_target, whole_file
 from tracker.base.registry import names_of
 from tracker.base.terminal import add_force
@@ -41,3 +42,8 @@ def print_sheets(args: argparse.Namespace) -> int:
         save_pages(pages, part, title)
     print(f"{args.out}: {len(pages)} page{'s' if len(pages) > 1 else ''}; print at 100 % scale")
     return 0
+
+
+PRINT = Command(
+    "print", "create PDF sheets at true scale for building a glove", print_sheets, add=add_print
+)

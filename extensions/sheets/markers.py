@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from matplotlib.patches import Circle, Rectangle
 
+from extensions.sheets.kinds import SheetKind
 from extensions.sheets.page import FAINT, INK, MARGIN_MM, MM_PER_INCH, PAPERS_MM, Page
 from tracker.glove.model import GloveModel, Marker
 from tracker.hand.model import HandModel
@@ -132,3 +133,10 @@ def _hand(
         }
         page.axes.add_patch(Rectangle(corner, BOARD_MM, BOARD_MM, **outline))
     return page
+
+
+def _sheet(hand: HandModel, glove: GloveModel, paper: str) -> tuple[list[Page], str]:
+    return marker_pages(hand, glove, paper), f"Markers of the glove {glove.name}"
+
+
+MARKERS = SheetKind("markers", "marker patches and their positions", _sheet)

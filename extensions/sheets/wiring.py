@@ -6,8 +6,10 @@ from typing import Any, NamedTuple
 
 from matplotlib.patches import FancyBboxPatch
 
+from extensions.sheets.kinds import SheetKind
 from extensions.sheets.page import FAINT, INK, MARGIN_MM, PAPERS_MM, Page
 from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
 
 SELECT_PINS = ("A0", "A1", "A2", "A3", "A4", "A5", "D10")
 MOTOR_PINS = ("D6", "D5", "D3")
@@ -118,3 +120,10 @@ def _rest(page: Page) -> None:
     )
     for k, line in enumerate(lines):
         page.text(MARGIN_MM, 40 - 6 * k, line, 8, FAINT if k == len(lines) - 1 else INK)
+
+
+def _sheet(_hand: HandModel, glove: GloveModel, paper: str) -> tuple[list[Page], str]:
+    return [wiring_page(glove, paper)], f"Wiring of the glove {glove.name}"
+
+
+WIRING = SheetKind("wiring", "the wiring", _sheet)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from tracker.base.command import Command
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 from tracker.base.terminal import add_json, check_json, finish, progress_line
@@ -63,3 +64,11 @@ def touch_test(args: argparse.Namespace) -> int:
     lines.append(", ".join(str(path) for path in written))
     finish(args, as_json(result), lines, [*args.sessions, *written])
     return 0
+
+
+TOUCH_TEST = Command(
+    "touch-test",
+    "report how accurate the fingertips of a recorded touch test are",
+    touch_test,
+    add=add_touch_test,
+)

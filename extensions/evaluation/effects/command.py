@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from extensions.evaluation.trials import add_trials, run_trials
+from tracker.base.command import Command
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 
@@ -91,3 +92,11 @@ def table(rows: Sequence[EffectsRow]) -> list[str]:
         for r in rows
     ]
     return lines
+
+
+EFFECTS = Command(
+    "evaluate effects",
+    "track hands with the errors of real cameras and IMUs, each alone and all at once",
+    evaluate_effects,
+    add=add_effects,
+)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING
 
+from tracker.base.command import Command
 from tracker.base.terminal import add_json
 
 if TYPE_CHECKING:
@@ -38,3 +39,11 @@ def _table(report: DrillReport) -> str:
         unsaid, wrong = report.unsaid[kind], report.silent_wrong[kind]
         lines.append(f"{kind:<16}{count:>6}{worst:>16.2f}{unsaid:>12}{wrong:>14}")
     return "\n".join(lines)
+
+
+FAULTS = Command(
+    "evaluate faults",
+    "inject random faults into a simulated glove and camera and check the tracking",
+    evaluate_faults,
+    add=add_faults,
+)

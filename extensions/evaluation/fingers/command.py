@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from tracker.base.command import Command
 from tracker.base.terminal import add_json
 from tracker.messages import Array
 
@@ -95,3 +96,11 @@ def table(rows: Sequence[FingerRow]) -> list[str]:
             f"{100 * r.measured:>12.0f}{states}{100 * r.true:>15.1f}"
         )
     return lines
+
+
+FINGERS = Command(
+    "evaluate fingers",
+    "track sessions with and without the glove's cloth; compare each fingertip with the true hand",
+    evaluate_fingers,
+    add=add_fingers,
+)

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from extensions.evaluation.trials import add_trials, run_trials
+from tracker.base.command import Command
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 
@@ -132,3 +133,11 @@ def table(rows: Sequence[GapsRow]) -> list[str]:
         for r in rows
     ]
     return lines
+
+
+GAPS = Command(
+    "evaluate gaps",
+    "track hands that leave the view for a while and return",
+    evaluate_gaps,
+    add=add_gaps,
+)

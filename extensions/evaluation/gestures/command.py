@@ -7,6 +7,7 @@ from collections import defaultdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from tracker.base.command import Command
 from tracker.base.terminal import add_json, check_json, finish, progress_line
 
 if TYPE_CHECKING:
@@ -102,3 +103,11 @@ def _lines(report: dict[str, Any]) -> list[str]:
         f"false detections per minute of free motion: {report['false_per_minute']:.2f} ({false})"
     )
     return lines
+
+
+GESTURES = Command(
+    "evaluate gestures",
+    "score gesture recognition on simulated or recorded hands",
+    evaluate_gestures,
+    add=add_gestures,
+)

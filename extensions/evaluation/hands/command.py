@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
+from tracker.base.command import Command
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 from tracker.base.terminal import add_json
@@ -100,3 +101,12 @@ def table(rows: Sequence[HandFigures], found: dict[str, Any]) -> list[str]:
         f"{'':>17}{found['longest_off_s']:>16.2f}"
     )
     return lines
+
+
+HANDS = Command(
+    "evaluate hands",
+    "track two simulated hands that cross and occlude each other; compare with each hand alone, "
+    "and with each hand occluded by a hand without markers",
+    evaluate_hands,
+    add=add_hands,
+)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from tracker.base.command import Command
 from tracker.base.terminal import add_json
 
 
@@ -41,3 +42,11 @@ def _rate(text: str) -> float:
     if not 20 <= value <= 10000:
         raise argparse.ArgumentTypeError("must be between 20 and 10000 Hz")
     return value
+
+
+INERTIAL = Command(
+    "evaluate inertial",
+    "estimate finger angles from IMUs, following the protocol of Lemak et al. 2020",
+    evaluate_inertial_command,
+    add=add_inertial,
+)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import Any
 
+from tracker.base.command import Command
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 from tracker.base.terminal import add_json, check_json, finish, progress_line
@@ -120,3 +121,12 @@ def _lines(report: dict[str, Any]) -> list[str]:
             f"step time {report['step_ms_median']:.2f} ms (99 %: {report['step_ms_99']:.2f} ms)"
         )
     return lines
+
+
+ROBOT = Command(
+    "evaluate robot",
+    "evaluate a robot hand that follows a wearer and picks up a cube",
+    evaluate_robot,
+    add=add_robot,
+    extra="robot",
+)

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from extensions.evaluation.trials import add_trials, run_trials
+from tracker.base.command import Command
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 
@@ -125,3 +126,11 @@ def table(rows: Sequence[ShutterRow]) -> list[str]:
             f"{r.known_mm:>14.2f}{r.ratio:>8.3f}"
         )
     return lines
+
+
+SHUTTER = Command(
+    "evaluate shutter",
+    "track fast hands, and hands in front of a turning camera, with a rolling shutter",
+    evaluate_shutter,
+    add=add_shutter,
+)

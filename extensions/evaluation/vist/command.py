@@ -11,6 +11,7 @@ from typing import Any, TextIO
 
 from extensions.evaluation.vist.options import ENGINES_OF, VistOptions
 from tracker.base.arguments import add_options, options_of
+from tracker.base.command import Command
 from tracker.base.errors import ConfigError
 from tracker.base.files import check_folder_target
 from tracker.base.notices import notice
@@ -186,3 +187,11 @@ def _known(names: Sequence[str], known: Sequence[str] | Mapping[str, Any], what:
     for name in names:
         if name not in known:
             raise ConfigError(notice("vist.unknown", what=what, name=name, known=tuple(known)))
+
+
+VIST = Command(
+    "evaluate vist",
+    "track simulated hands in the three experiments of Lee et al. 2021",
+    run,
+    add=add_vist,
+)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from tracker.base.command import Command
 from tracker.base.terminal import add_json, check_json, finish
 
 
@@ -38,3 +39,8 @@ def report(args: argparse.Namespace) -> int:
     takes = write_report(paths, args.output, args.anonymous, args.force)
     finish(args, as_json(takes), [f"{args.output}: {len(takes)} recordings"], [*paths, args.output])
     return 0
+
+
+REPORT = Command(
+    "report", "summarise recordings in one HTML page and one table", report, add=add_report
+)

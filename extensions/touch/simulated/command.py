@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
+from tracker.base.command import Command
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 from tracker.base.terminal import add_json, check_json, finish, progress_line
@@ -129,3 +130,11 @@ def table(rows: Sequence[WearerFigures], found: dict[str, Any]) -> list[str]:
         f"{said['camera_said']}, with a ruler as the camera's: {said['camera_said_with_ruler']}; "
         f"reported without reason: {said['said_wrongly']}",
     ]
+
+
+EVALUATE = Command(
+    "evaluate touch",
+    "let simulated wearers take the touch test; compare its figures with the true error",
+    evaluate_touch,
+    add=add_touch,
+)
