@@ -1,4 +1,4 @@
-"""Compiles missing kernels before devices are opened."""
+"""Loads an engine and compiles missing kernels before devices are opened."""
 
 from __future__ import annotations
 
@@ -8,15 +8,25 @@ from app.widgets.view3d.scene import BodyLook
 from app.widgets.view3d.shapes import ball
 from tracker import kernels
 from tracker.engine.pipeline import Pipeline
+from tracker.glove import library
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, ImuSample
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 from tracker.vision.detector import Detector, detect_frame
+from tracker.vision.rig import ideal_rig
 
 MOTION = 0.6  # s, in which the hand is found and corrected, which needs every kernel
 SEED, FPS = 1, 30.0
+
+
+def load_engine(glove: str, hand: str | None = None) -> None:
+    """Load the modules and kernels that tracking with these files needs, which takes a second.
+
+    Raises GlovetrackError.
+    """
+    Pipeline(*library.load(glove, hand), ideal_rig())
 
 
 def warm_up(hand: HandModel, glove: GloveModel, detector: Detector) -> None:

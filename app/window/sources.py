@@ -12,14 +12,15 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, QMimeData, QObject, Qt, Signal
+from PySide6.QtCore import QEvent, QMimeData, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from app.engines.apart.demo import DemoSource
 from app.engines.apart.process import EngineProcess
+from app.engines.apart.reserve import Reserve
 from app.engines.apart.setup import apart_factory
-from app.engines.apart.source import DeviceSource
+from app.engines.apart.source import DeviceSource, Source
 from app.engines.demo_camera import DemoChoice
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost, SetupFactory
@@ -71,6 +72,9 @@ def replay_factory(path: Path, at: float | None = None) -> SetupFactory:
     return build
 
 
+RESERVE_AFTER = 20_000
+"""ms after a source is opened, when a second process is loaded, which takes a second of a core."""
+
 DEVICES = "devices"
 """What a banner's sentence is about."""
 
@@ -108,6 +112,10 @@ class Sources(QObject):
         self._live: Callable[[], None] | None = None
         self.plugged = PlugWatch(host, store, self)
         self.plugged.came.connect(self._came)
+        self.reserve = Reserve()
+        self._reserve_for: Source | None = None
+        self._settled = QTimer(self, singleShot=True, interval=RESERVE_AFTER)
+        self._settled.timeout.connect(self._fill_reserve)
         host.opened.connect(self._choose_engine)
         host.closed.connect(self.plugged.rest)
 
@@ -124,7 +132,7 @@ class Sources(QObject):
 
         factory = demo_factory(choice, camera=camera)
         if self.apart:
-            factory = apart_factory(DemoSource(choice or DemoChoice()), process)
+            factory = self._apart(DemoSource(choice or DemoChoice()), process)
         self._open(Opening(self.tr("The demo"), self.tr("Starting the demo"), factory), begun)
 
     def open_devices(self) -> None:
@@ -136,8 +144,23 @@ class Sources(QObject):
         name = self.tr("The search for glove and camera")
         factory = hardware_factory(settings)
         if self.apart:
-            factory = apart_factory(DeviceSource(settings))
+            factory = self._apart(DeviceSource(settings))
         self._open(Opening(name, title, factory), self._devices_begun)
+
+    def _apart(self, source: Source, process: EngineProcess | None = None) -> SetupFactory:
+        """A job that opens ``source`` in a process of its own."""
+        self._reserve_for = source
+        return apart_factory(source, process, self.reserve.open)
+
+    def _fill_reserve(self) -> None:
+        """Load a second process, for a crash of the first, when nothing is recorded."""
+        setup, source = self._host.setup, self._reserve_for
+        if setup is None or setup.live is None or source is None:
+            return
+        if self._host.recording.request is not None:
+            self._settled.start()
+            return
+        self.reserve.fill(source)
 
     def _devices_begun(self) -> None:
         self.looking_for_devices = True
@@ -193,6 +216,8 @@ class Sources(QObject):
     def _choose_engine(self, setup: EngineSetup) -> None:
         """Track with the engine used last; incomplete devices have one that works with them."""
         self.looking_for_devices = False
+        if self.apart and setup.live is not None:
+            self._settled.start()
         if setup.missing:
             self.plugged.begin()
         else:
@@ -256,8 +281,10 @@ class Sources(QObject):
             begun()
 
     def shut_down(self) -> None:
-        """Stop looking for devices."""
+        """Stop looking for devices, and end the waiting process."""
         self.plugged.shut_down()
+        self._settled.stop()
+        self.reserve.close()
 
 
 class Drops(QObject):

@@ -17,6 +17,8 @@ import pytest
 import glovetrack
 from app.engines.apart import process as process_module
 from app.engines.apart.child import Line, run
+from app.engines.apart.demo import DemoSource
+from app.engines.apart.reserve import Reserve
 from app.engines.apart.setup import apart_factory
 from app.engines.apart.source import Companions
 from app.engines.demo_camera import DemoChoice
@@ -71,8 +73,8 @@ def test_a_recording_is_complete_although_the_process_crashes(
     demo, receiver, qtbot, tmp_path, caplog
 ):
     """A first recording is tracked again bit for bit. During a second one the process crashes:
-    tracking starts again, the file is complete up to then, and the log shows where. A stream is
-    received meanwhile."""
+    tracking starts again in the process that was waiting, the file is complete up to then, and the
+    log shows where. A stream is received meanwhile."""
     host, done, errors = demo.host, [], []
     host.recording.finished.connect(done.append)
     host.error.connect(errors.append)
@@ -94,7 +96,9 @@ def test_a_recording_is_complete_although_the_process_crashes(
     found = compare(tmp_path / "a.mcap", tmp_path / "again.mcap")
     assert found["identical"], found
 
-    engine = host.setup.engine
+    engine, reserve = host.setup.engine, demo.sources.reserve
+    demo.sources._settled.timeout.emit()
+    waiting = reserve._started.process.pid
     assert host.recording.begin(RecordingRequest(tmp_path / "b.mcap", "", ""))
     qtbot.waitUntil(lambda: host.recording.written > 50, timeout=LONG)
     os.kill(engine._process.pid, signal.SIGSEGV)
@@ -103,6 +107,7 @@ def test_a_recording_is_complete_although_the_process_crashes(
         lambda: host.setup is not None and host.setup.engine is not engine and host.running,
         timeout=LONG,
     )
+    assert host.setup.engine._process.pid == waiting and reserve._started is None
     assert any("starts again" in text for text in errors)
     assert "Segmentation fault" in caplog.text
     assert not engine._process._crash.exists()
@@ -110,6 +115,35 @@ def test_a_recording_is_complete_although_the_process_crashes(
     recording = glovetrack.open(tmp_path / "b.mcap")
     assert len(recording.t) > 20
     qtbot.waitUntil(lambda: is_tracked(demo), timeout=LONG)
+
+
+def test_a_waiting_process_is_replaced_after_its_end_and_ends_with_the_window():
+    reserve, source = Reserve(), DemoSource(CHOICE)
+    reserve.fill(source)
+    first = reserve._started.process
+    reserve.fill(source)
+    assert reserve._started.process is first
+    first.kill()
+    first.join()
+    reserve.fill(source)
+    second = reserve._started
+    assert second.process.pid != first.pid
+    reserve.close()
+    reserve.fill(source)
+    second.process.join(LONG / 1000)
+    assert not second.process.is_alive() and not second.crash.exists()
+    assert reserve._started is None
+
+
+def test_a_source_is_opened_although_the_waiting_process_has_ended(connect):
+    """And where none was waiting."""
+    reserve, source = Reserve(), Scripted(scripted_setup(Subscribed()))
+    reserve.fill(source)
+    reserve._started.pipe.close()
+    for _ in range(2):
+        process = reserve.open(source)
+        assert process.wait_opened(JobProgress(lambda *_: None)).hands
+        process.close()
 
 
 # --- both ends in one process
@@ -188,7 +222,7 @@ def connect(monkeypatch, no_leaks):
     """Makes the window's end of a setup."""
     made = []
 
-    def start(name, serve, source, language, crash, daemon):
+    def start(name, serve, source, language, crash, waits, daemon):
         made.append(ThreadAsProcess(source))
         return made[-1].ours, made[-1]
 

@@ -66,20 +66,43 @@ LONGEST_CLOSING = 100.0
 """s without progress after which the process ends although a device or a disk hangs."""
 
 
-def serve(pipe: Connection, source: Source, language: str, crash: Path) -> None:
+def serve(pipe: Connection, source: Source, language: str, crash: Path, waits: bool) -> None:
     """Runs until the window ends it; the file ``crash`` receives the traceback of a hard crash, and
-    is removed at a regular end."""
+    is removed at a regular end.
+
+    ``waits``: it loads what ``source`` needs and waits for the source to open.
+    """
     with crash.open("w", encoding="utf-8") as file:
         faulthandler.enable(file)
-        _serve(pipe, source, language)
+        wanted = _awaited(pipe, source) if waits else source
+        if wanted is not None:
+            _serve(pipe, wanted, language)
         faulthandler.disable()
     crash.unlink(missing_ok=True)
 
 
-def _serve(pipe: Connection, source: Source, language: str) -> None:
+def _awaited(pipe: Connection, source: Source) -> Source | None:
+    """The source that the window wants to open; None when it has ended instead."""
+    _ignore_signals()
+    try:
+        source.prepare()
+    except GlovetrackError as error:  # `build` reports it
+        _log.info("Not loaded in advance: %s", error)
+    try:
+        wanted: Source = pipe.recv()
+    except (EOFError, OSError):
+        return None
+    return wanted
+
+
+def _ignore_signals() -> None:
     for name in IGNORED:
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), signal.SIG_IGN)
+
+
+def _serve(pipe: Connection, source: Source, language: str) -> None:
+    _ignore_signals()
     run_first()
     tune_process()
     install(QCoreApplication(sys.argv[:1]), language)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from app.engines.apart.messages import Opened
 from app.engines.apart.source import Companions
-from app.engines.demo_camera import DemoChoice, start_camera
+from app.engines.demo_camera import FILES, DemoChoice, start_camera
 from app.engines.engine import Built, Send
 from app.engines.protocols import ReferenceHand
 from app.platform.tasks import JobProgress
@@ -26,6 +26,13 @@ class DemoSource:
     choice: DemoChoice
     seed: int = 1
     drawn: int = 0
+
+    def prepare(self) -> None:
+        import app.engines.demo  # noqa: F401 - for `build`
+        from app.engines.warm_up import load_engine  # deferred: loads every engine
+
+        hand, glove = FILES["right"]
+        load_engine(glove, hand)
 
     def build(self, progress: JobProgress) -> Built:
         camera = start_camera(self.seed, self.choice, self.drawn)  # before the simulator is loaded

@@ -14,8 +14,10 @@ import time
 from collections.abc import Callable
 from concurrent.futures import Future
 from concurrent.futures import TimeoutError as FutureTimeout
+from multiprocessing.connection import Connection
+from multiprocessing.process import BaseProcess
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 from app.engines.apart.child import END, serve
 from app.engines.apart.messages import (
@@ -56,19 +58,34 @@ def _empty_file() -> Path:
     return Path(name)
 
 
+class Started(NamedTuple):
+    """A process, our end of the pipe to it, and the file for the traceback of a crash."""
+
+    pipe: Connection
+    process: BaseProcess
+    crash: Path
+
+
+def start_process(source: Source, waits: bool = False) -> Started:
+    """``waits``: it loads what ``source`` needs and waits until it is sent the source to open."""
+    crash = _empty_file()
+    pipe, process = start_child(
+        "glovetrack-engine", serve, source, language(), crash, waits, daemon=False
+    )
+    return Started(pipe, process, crash)
+
+
 class EngineProcess:
-    """Opens ``source`` in a process. Methods may be called from any thread.
+    """Opens ``source`` in a process, which may be ``started`` already and have received the source.
+    Methods may be called from any thread.
 
     ``on_estimate`` and ``on_news`` are called in a thread of it; ``on_failure``, there, too, with
     the reason when it fails, and ``on_end`` when the process has ended.
     """
 
-    def __init__(self, source: Source) -> None:
+    def __init__(self, source: Source, started: Started | None = None) -> None:
         self.source = source
-        self._crash = _empty_file()
-        self._pipe, self._process = start_child(
-            "glovetrack-engine", serve, source, language(), self._crash, daemon=False
-        )
+        self._pipe, self._process, self._crash = started or start_process(source)
         self._sending = threading.Lock()
         self._numbers = itertools.count(1)
         self._waiting: dict[int, Future[Any]] = {}

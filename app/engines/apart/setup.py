@@ -19,14 +19,16 @@ from tracker.live.listeners import ListenedHand, Listeners, LiveAccess
 
 
 def apart_factory(
-    source: Source, started: EngineProcess | None = None
+    source: Source,
+    started: EngineProcess | None = None,
+    open_process: Callable[[Source], EngineProcess] = EngineProcess,
 ) -> Callable[[JobProgress], EngineSetup]:
     """A job that builds the engine of ``source`` in a process; ``started`` is one that began to do
-    so already, and is used once."""
+    so already, and is used once; others are made by ``open_process``."""
     waiting = [started] if started is not None else []
 
     def build(progress: JobProgress) -> EngineSetup:
-        process = waiting.pop() if waiting else EngineProcess(source)
+        process = waiting.pop() if waiting else open_process(source)
         try:
             return apart_setup(process, process.wait_opened(progress))
         except BaseException:  # also Cancelled: no process may remain

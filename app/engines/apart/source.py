@@ -26,6 +26,9 @@ class Companions(NamedTuple):
 class Source(Protocol):
     """Is sent to the process."""
 
+    def prepare(self) -> None:
+        """Load what `build` needs, in a process of the `Reserve`; opens no device."""
+
     def build(self, progress: JobProgress) -> Built:
         """Build the engine, in the process. Raises GlovetrackError."""
 
@@ -38,6 +41,12 @@ class DeviceSource:
     """The gloves and the camera of the settings."""
 
     settings: AppSettings
+
+    def prepare(self) -> None:
+        import app.engines.hardware  # noqa: F401 - for `build`
+        from app.engines.warm_up import load_engine  # deferred: loads every engine
+
+        load_engine(self.settings.glove, self.settings.hand)
 
     def build(self, progress: JobProgress) -> Built:
         from app.engines.hardware import hardware_setup  # deferred: loads every engine
