@@ -32,7 +32,7 @@ from tracker.streaming.remote.request import Reply
 ROOT = Path(__file__).parents[1]
 OWN = b"the user's own\n"
 
-WRITTEN = {"--out", "--output", "--json", "--figure", "--keep-wearer", "--keep", "folder"}
+WRITTEN = {"--out", "--output", "--json", "--figure", "--keep-wearer", "--keep", "--name", "folder"}
 """Options and positions of the command line that name what is written."""
 NOT_WRITTEN = {
     *("source", "sources", "file", "files", "first", "second", "session", "sessions", "port"),
@@ -175,6 +175,7 @@ ELSEWHERE |= {(f"study {name}", "--json") for name in ("check", "status", "table
 ELSEWHERE |= {(f"study {name}", "--output") for name in ("report", "tables", "export")}
 ELSEWHERE |= {("imu-noise", "--out"), ("imu-noise", "--json")}  # a minute at rest
 ELSEWHERE |= {(f"imu-{name}", "--json") for name in ("axes", "drift")}
+ELSEWHERE |= {("fit-glove", "--name"), ("fit-glove", "--json")}  # free motion
 ELSEWHERE |= {("loop-back", "--json")}  # devices
 ELSEWHERE |= {(opens, "--out") for opens in ("window", "demo", "devices")}
 """Options whose tests are of their own, below."""

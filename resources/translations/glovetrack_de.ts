@@ -9896,6 +9896,16 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>Markers {markers:list} of the {side:word} glove are about {offset_mm:.0f} mm from their positions in the glove file. Measure the glove again: record two minutes of free motion, then run glovetrack fit-glove.</source>
+      <translation>Handschuh ({side:word}): Die Marker {markers:list} sind etwa {offset_mm:.0f} mm von ihren Positionen in der Handschuhdatei entfernt. Vermessen Sie den Handschuh neu: Nehmen Sie zwei Minuten freie Bewegung auf, dann führen Sie glovetrack fit-glove aus.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The IMU {imu:word} of the {side:word} glove is rotated by about {angle_deg:.0f}° from its mounting in the glove file. Measure the glove again: record two minutes of free motion, then run glovetrack fit-glove.</source>
+      <translation>Handschuh ({side:word}): Die IMU {imu:word} ist gegenüber ihrer Lage in der Handschuhdatei um etwa {angle_deg:.0f}° verdreht. Vermessen Sie den Handschuh neu: Nehmen Sie zwei Minuten freie Bewegung auf, dann führen Sie glovetrack fit-glove aus.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>The glove {glove} has no IMU on {segment:word}.</source>
       <translation>Der Handschuh {glove} hat keine IMU auf {segment:word}.</translation>
     </message>
@@ -12523,6 +12533,36 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>The glove file has no IMU {names:list}.</source>
       <translation>Die Handschuhdatei hat keine IMU {names:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The recording shows {postures} different postures; at least {least} are required. Move all fingers freely in front of the camera for two minutes.</source>
+      <translation>Die Aufnahme zeigt {postures} verschiedene Haltungen; mindestens {least} sind nötig. Bewegen Sie zwei Minuten lang alle Finger frei vor der Kamera.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove file cannot be fitted to this recording: the postures contradict each other, or markers are more than {most_mm:.0f} mm from their positions. Check that the file is of this glove.</source>
+      <translation>Die Handschuhdatei lässt sich nicht an diese Aufnahme anpassen: Die Haltungen widersprechen einander, oder Marker sind mehr als {most_mm:.0f} mm von ihren Positionen entfernt. Prüfen Sie, ob die Datei zu diesem Handschuh gehört.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove file has no table with an id or name for {names:list}, so it cannot be changed.</source>
+      <translation>Die Handschuhdatei hat keine Tabelle mit der Nummer oder dem Namen {names:list} und kann daher nicht geändert werden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} contains two hands. Record the glove alone, then fit it.</source>
+      <translation>{path} enthält zwei Hände. Nehmen Sie den Handschuh allein auf, dann passen Sie ihn an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Give --set or --name, not both.</source>
+      <translation>Geben Sie entweder --set oder --name an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} has no stereo camera, which is required to measure the markers.</source>
+      <translation>{path} enthält keine Stereokamera; sie ist nötig, um die Marker zu vermessen.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />

@@ -80,7 +80,7 @@ def test_one_sweep_is_the_least_squares_solution(engine: ChainEngine, sim: Simul
     d, c = len(moves), lay.blocks.size - n
     A, b = np.zeros((3 * d + c, 3 * d + c)), np.zeros(3 * d + c)
     A[3 * d :, 3 * d :] = bundle._information
-    b[3 * d :] = -bundle._information @ bundle._off_nominal(state)
+    b[3 * d :] = -bundle._information @ solver.off_nominal(state, lay)
     for k, frame in enumerate(frames):
         H, r = rows(replace(state, p=frame.p, R_GB=frame.R_GB), frame)
         J = np.zeros((len(H), len(b)))

@@ -249,10 +249,11 @@ class Pipeline:
         return self._watch.state
 
     def drain_notices(self) -> list[Notice]:
-        """Notices since the last call: about guided poses, packets and the camera."""
+        """Notices since the last call: about guided poses, packets, the camera and the glove."""
         self._abandoned = False
         parts = (self._notices, self.source_notices, self._watch.notices, self.alignment.notices)
-        return [found for part in parts for found in part.drain()]
+        of_engine = self.engine.drain_notices()
+        return [*(found for part in parts for found in part.drain()), *of_engine]
 
     def predict(self, t: float) -> Estimate:
         """Returns the hand at any instant near now, without changing the state."""

@@ -88,6 +88,10 @@ class Engine(Protocol):
         run; an engine without a model of noise ignores it."""
         return
 
+    def drain_notices(self) -> list[Notice]:
+        """Notices since the last call; for an engine without any, none."""
+        return []
+
     def reset_pose(self) -> Notice | None:
         """Align the joints with a flat hand that the wearer holds now. Returns a notice of the
         result; None for an engine without this function."""

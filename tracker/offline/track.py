@@ -338,6 +338,12 @@ def _output_info(
     )
 
 
+def recorded_messages(reader: SessionReader) -> Iterator[Fed]:
+    """Yields packets, events and blobs of the reader's hand in the order of the live run; images
+    without blobs are searched with the recorded colours."""
+    return _of_reader(reader, reader.info, TrackOptions(), usable_cores(), None)
+
+
 def _messages(
     reader: SessionReader,
     info: SessionInfo,

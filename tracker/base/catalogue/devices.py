@@ -106,6 +106,16 @@ TEXTS = {
         "This looks like a glove for the {other:word} hand: its patches are mirrored. The"
         " file {glove} is for the {side:word} hand. Choose one for the {other:word} hand."
     ),
+    "glove.markers_off": (
+        "Markers {markers:list} of the {side:word} glove are about {offset_mm:.0f} mm from their "
+        "positions in the glove file. Measure the glove again: record two minutes of free motion, "
+        "then run glovetrack fit-glove."
+    ),
+    "glove.imu_off": (
+        "The IMU {imu:word} of the {side:word} glove is rotated by about {angle_deg:.0f}° from its "
+        "mounting in the glove file. Measure the glove again: record two minutes of free motion, "
+        "then run glovetrack fit-glove."
+    ),
     "glove.no_imu_on": "The glove {glove} has no IMU on {segment:word}.",
     "glove.port_not_opened": "The glove's port cannot be opened: {why}",
     "glove.port_busy": (

@@ -25,6 +25,23 @@ TEXTS = {
     ),
     "noise.imu_missing": "The IMU {imu} is missing in {missing_percent:.0f} % of the rest.",
     "noise.unknown_imu": "The glove file has no IMU {names:list}.",
+    "fit_glove.few_postures": (
+        "The recording shows {postures} different postures; at least {least} are required. Move "
+        "all fingers freely in front of the camera for two minutes."
+    ),
+    "fit_glove.not_fitted": (
+        "The glove file cannot be fitted to this recording: the postures contradict each other, or "
+        "markers are more than {most_mm:.0f} mm from their positions. Check that the file is of "
+        "this glove."
+    ),
+    "fit_glove.no_table": (
+        "The glove file has no table with an id or name for {names:list}, so it cannot be changed."
+    ),
+    "fit_glove.two_hands": ("{path} contains two hands. Record the glove alone, then fit it."),
+    "fit_glove.both_targets": "Give --set or --name, not both.",
+    "fit_glove.no_camera": (
+        "{path} has no stereo camera, which is required to measure the markers."
+    ),
     "track.hand_length": "A profile contains the length of the hand. Leave out --hand-length.",
     "simulate.fixed_camera": "The scene {scene} requires a camera that does not move.",
     "simulate.two_hands": (

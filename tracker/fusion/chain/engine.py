@@ -138,6 +138,10 @@ class ChainEngine(Engine):
         self._timeline.rebuild_head()
         return done
 
+    def drain_notices(self) -> list[Notice]:
+        """Notices since the last call: of a glove that does not match its file."""
+        return self.wearer.calibration.glove_check.notices.drain()
+
     def take_results(self) -> list[FrameResult]:
         """The results of the images since the last call, oldest first."""
         return self._timeline.take_results()
@@ -229,5 +233,6 @@ class ChainEngine(Engine):
         saved = copy.deepcopy(state)
         complete_axes(saved, self._layout, self._prior)
         self._tracker.restore(saved.tracker)
+        self.wearer.calibration.glove_check.restart()
         self.wearer.holds[:] = saved.holds
         self._timeline.restore(saved.timeline)

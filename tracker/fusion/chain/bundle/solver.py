@@ -27,7 +27,7 @@ from tracker.fusion.chain.profile import WearerProfile, profile_of
 from tracker.fusion.chain.state import ChainState, initial_state, inject
 from tracker.fusion.chain.tilt import tilt_rows
 from tracker.geometry import so3
-from tracker.messages import Array
+from tracker.messages import Array, IntArray
 from tracker.vision.rig import StereoRig
 
 
@@ -103,6 +103,59 @@ class BundleWork:
     rows: int = 0
 
 
+class WithoutPose(NamedTuple):
+    """A keyframe's information N (C, C), g (C,) about the calibration, its pose eliminated, and the
+    pose's change ``back`` (D, C + 1): gain and constant."""
+
+    N: Array
+    g: Array
+    back: Array
+
+
+class KeyframePose(NamedTuple):
+    """Error states ``moves`` (D,) of a keyframe's pose, ``stiff`` (D,) the inverse variances of its
+    prior, and ``away`` (D,) its deviation from it."""
+
+    moves: IntArray
+    stiff: Array
+    away: Array
+
+
+def without_pose(H: Array, r: Array, pose: KeyframePose, n: int) -> WithoutPose:
+    """Rows H (m, N) and residual r (m,) of unit noise with the pose eliminated: Schur complement
+    (eq. 46). The calibration begins at the error state ``n``."""
+    D, G = H[:, pose.moves], H[:, n:]
+    A = D.T @ D + np.diag(pose.stiff)
+    B = np.column_stack([D.T @ G, D.T @ r - pose.stiff * pose.away])
+    back = np.asarray(np.linalg.solve(A, B), float)
+    N = G.T @ G - B[:, :-1].T @ back[:, :-1]
+    return WithoutPose(N, G.T @ r - B[:, :-1].T @ back[:, -1], back)
+
+
+def pose_prior(layout: ChainLayout, orientation: float) -> tuple[IntArray, Array]:
+    """``moves`` and ``stiff`` of a keyframe's pose, with the sd ``orientation`` (rad)."""
+    moves = np.r_[0:3, layout.blocks.theta : layout.n_dynamic]
+    stiff: Array = np.full(len(moves), orientation**-2)
+    stiff[:3] = POSITION_SD**-2
+    return moves, stiff
+
+
+def off_nominal(state: ChainState | WearerProfile, layout: ChainLayout) -> Array:
+    """(C,) deviation of a calibration from the nominal values in the files."""
+    fresh = initial_state(layout)
+    return np.concatenate(
+        [
+            state.bg.ravel(),
+            so3.log(layout.R_IB.swapaxes(1, 2) @ state.R_IB).ravel(),
+            state.ba.ravel(),
+            (state.scale - fresh.scale).ravel(),
+            state.joint.ravel(),
+            state.marker.ravel(),
+            state.axis,
+        ]
+    )
+
+
 class SideInformation(NamedTuple):
     """Information besides the keyframes: from guided poses and (None: population prior) the
     wearer."""
@@ -114,15 +167,20 @@ class SideInformation(NamedTuple):
 class Bundle:
     """Keyframe calibration of one chain filter; itself immutable."""
 
-    def __init__(self, layout: ChainLayout, rig: StereoRig, params: ChainParams) -> None:
-        self._layout, self._params = layout, params.bundle
+    def __init__(
+        self,
+        layout: ChainLayout,
+        rig: StereoRig,
+        params: ChainParams,
+        most_shift: float = MOST_SHIFT,
+    ) -> None:
+        """A solution with a marker more than ``most_shift`` m off is discarded."""
+        self._layout, self._params, self._most_shift = layout, params.bundle, most_shift
         self._rows = KeyframeRows(layout, rig, params)
         n = layout.n_dynamic
         before = initial_covariance(layout, params.prior)[n:, n:]
         self._information = np.asarray(np.linalg.inv(before), float)
-        self._moves = np.r_[0:3, layout.blocks.theta : n]
-        self._stiff: Array = np.full(len(self._moves), params.bundle.orientation**-2)
-        self._stiff[:3] = POSITION_SD**-2
+        self._moves, self._stiff = pose_prior(layout, params.bundle.orientation)
 
     def wants(self, work: BundleWork, t: float) -> bool:
         """Whether the next posture is due: at most thirty per second."""
@@ -180,7 +238,7 @@ class Bundle:
         """Initialises the sums with the priors of hand and mountings and with the guided poses."""
         assert work.calibration is not None
         work.back, work.misfit, work.rows = [], 0.0, 0
-        information, off = self._information, self._off_nominal(work.calibration)
+        information, off = self._information, off_nominal(work.calibration, self._layout)
         known = extra.known if extra is not None else None
         if known is not None:
             information = np.asarray(np.linalg.inv(known.P), float)
@@ -190,36 +248,18 @@ class Bundle:
             N, g = extra.poses.information(work.calibration)
             work.N, work.g = work.N + N, work.g + g
 
-    def _off_nominal(self, state: ChainState) -> Array:
-        """(C,) deviation from the nominal values in the files."""
-        lay, fresh = self._layout, initial_state(self._layout)
-        return np.concatenate(
-            [
-                state.bg.ravel(),
-                so3.log(lay.R_IB.swapaxes(1, 2) @ state.R_IB).ravel(),
-                state.ba.ravel(),
-                (state.scale - fresh.scale).ravel(),
-                state.joint.ravel(),
-                state.marker.ravel(),
-                state.axis,
-            ]
-        )
-
     def _linearise(self, work: BundleWork, k: int) -> None:
-        """Adds keyframe ``k`` with its own pose eliminated: Schur complement (eq. 46)."""
+        """Adds keyframe ``k`` with its own pose eliminated."""
         assert work.calibration is not None
         frame, n = work.frames[k], self._layout.n_dynamic
         H, r = self._rows(replace(work.calibration, p=work.p[k], R_GB=work.R_GB[k]), frame)
         work.misfit, work.rows = work.misfit + float(r @ r), work.rows + len(r)
-        D, G = H[:, self._moves], H[:, n:]
         away = np.concatenate(
             [work.p[k] - frame.p, so3.log(frame.R_GB.swapaxes(1, 2) @ work.R_GB[k]).ravel()]
         )
-        A = D.T @ D + np.diag(self._stiff)
-        B = np.column_stack([D.T @ G, D.T @ r - self._stiff * away])
-        back = np.linalg.solve(A, B)
-        work.N += G.T @ G - B[:, :-1].T @ back[:, :-1]
-        work.g += G.T @ r - B[:, :-1].T @ back[:, -1]
+        N, g, back = without_pose(H, r, KeyframePose(self._moves, self._stiff, away), n)
+        work.N += N
+        work.g += g
         work.back.append(back)
 
     def _move_on(
@@ -270,7 +310,7 @@ class Bundle:
         far = so3.log(self._layout.R_IB.swapaxes(1, 2) @ solved.R_IB)
         largest = (np.abs(far).max(initial=0.0), np.abs(solved.marker).max(initial=0.0))
         within = np.abs(solved.scale - 1).max() < MOST_SCALE
-        return bool(within and largest[0] < MOST_ROTATION and largest[1] < MOST_SHIFT)
+        return bool(within and largest[0] < MOST_ROTATION and largest[1] < self._most_shift)
 
     def _profile(self, solved: ChainState, P: Array) -> WearerProfile:
         """The solution, with the wobble of the mountings added to its covariance."""

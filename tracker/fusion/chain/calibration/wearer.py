@@ -9,6 +9,7 @@ from tracker.base.records import record
 from tracker.fusion.chain.bundle.keyframes import keyframe_of
 from tracker.fusion.chain.bundle.solver import Bundle, BundleWork, SideInformation, adopt
 from tracker.fusion.chain.calibration import control
+from tracker.fusion.chain.calibration.glove_check import GloveCheck
 from tracker.fusion.chain.calibration.size import size_sd, with_min_size_sd
 from tracker.fusion.chain.guided.learning import GuidedLearning
 from tracker.fusion.chain.layout import ChainLayout
@@ -39,6 +40,7 @@ class WearerCalibration:
     def __init__(self, layout: ChainLayout, rig: StereoRig, params: ChainParams) -> None:
         self._layout, self._params = layout, params
         self._bundle = Bundle(layout, rig, params)
+        self.glove_check = GloveCheck(layout, rig, params)
         self.saved = WearerSavedState()
 
     @property
@@ -81,6 +83,7 @@ class WearerCalibration:
         for a segment that is not estimated."""
         self._thaw(state)
         self.saved.work = BundleWork()
+        self.glove_check.restart()
         names = self._layout.names if segments is None else segments
         control.reset_calibration(state, self._layout, self._params.prior, names)
         if segments is None:
@@ -129,6 +132,7 @@ class WearerCalibration:
         if not self._params.bundle.enabled or self.is_frozen:
             return
         self._remember(state, image, found, buffer)
+        self.glove_check.image(state, image, found, buffer, self.saved.known)
         solved = self._bundle.step(self.saved.work, state, SideInformation(poses, self.saved.known))
         if solved is not None:
             adopt(state, self._layout, solved)
