@@ -150,6 +150,9 @@ class CommandedHand(Protocol):
     def record(self, message: Message) -> None:
         """Add a message to the recording, if there is one."""
 
+    def set_figures(self, figures: Mapping[str, float]) -> None:
+        """Add figures of the window to the status, in place of those of the last call."""
+
     def set_reference(self, name: str | None) -> None:
         """Track with a second engine for comparison; None ends that."""
 

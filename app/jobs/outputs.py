@@ -236,6 +236,12 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
         output = self._openings.get(name)
         return output.counts() if output is not None else None
 
+    def late(self) -> list[float]:
+        """s from the instants of the last samples until each open stream has sent their estimates;
+        see `StreamCounts`. Without the motors, which are not driven by each estimate."""
+        counts = (self.counts(name) for name in self.kinds)
+        return [late for found in counts if found is not None for late in found.late]
+
     def test(self, name: str) -> None:
         """Find out whether a program receives an output; `tested` reports it."""
         output = self._openings.get(name)

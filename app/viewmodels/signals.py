@@ -76,6 +76,8 @@ STATUS_WORDS = {
     "latency_imu_ms": mark("latency, packet to estimate"),
     "latency_detect_ms": mark("search of both images"),
     "latency_filter_ms": mark("engine step"),
+    "latency_screen_ms": mark("latency, sample to screen"),
+    "latency_stream_ms": mark("latency, sample to streams"),
     "imu_lost": mark("packets lost"),
     "frames_dropped": mark("images dropped"),
     "images_missed": mark("share of images missed"),

@@ -19,7 +19,11 @@ STAGES = {
     "filter": mark("Engine step for a message"),
     "imu": mark("Arrival of a packet to its estimate"),
     "total": mark("Arrival of an image to its estimate"),
+    "screen": mark("Sample to the screen"),
+    "stream": mark("Sample to the streams"),
+    "motor": mark("Sample to a motor"),
 }
+ALWAYS = ("detect", "filter", "imu", "total")
 SHED = {
     Shed.VIEW_RATE: mark("3D view slower"),
     Shed.OVERLAYS: mark("overlays off"),
@@ -175,6 +179,7 @@ def _stages(values: Mapping[str, float]) -> list[str]:
     return [
         f"{tr(name)}: {_ms(values, f'latency_{key}_ms')} ({_ms(values, f'latency_{key}_p99_ms')})"
         for key, name in STAGES.items()
+        if key in ALWAYS or f"latency_{key}_ms" in values
     ]
 
 

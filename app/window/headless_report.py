@@ -231,7 +231,8 @@ def _report(gathered: Mapping[str, Figures], view: Snapshot | None, rate: float,
     def figure(key: str, pattern: str = "{:.1f}") -> str:
         return pattern.format(values[key]) if key in values else "–"
 
-    stages = ("detect", "filter", "imu", "total")
+    stages = ["detect", "filter", "imu", "total"]
+    stages += [s for s in ("screen", "stream") if f"latency_{s}_ms" in values]
     latency = [
         f"{s} {figure(f'latency_{s}_ms')} (99 %: {figure(f'latency_{s}_p99_ms')})" for s in stages
     ]

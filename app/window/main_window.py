@@ -42,6 +42,7 @@ from app.window.contributions import (
     panel_of,
     recording_actions,
 )
+from app.window.delays import DelayMeter
 from app.window.dialogs import Dialogs
 from app.window.docks import SMALLEST as SMALLEST
 from app.window.docks import fit_to_screen, geometry_of, list_docks, make_docks, restore_geometry
@@ -103,6 +104,7 @@ class MainWindow(QMainWindow):
         self.ticker.is_waited_for = lambda: any(
             panel.needs_low_latency for panel in self.panels.values()
         )
+        self.ticker.refreshed = DelayMeter(self.host, self.outputs.late).refreshed
         hint = ColoursHint(self.messages, self.colours, self.show_panel)
         self.ticker.colours_unfit.connect(hint.show_unfit)
         self.ticker.no_hand.connect(hint.no_hand)

@@ -80,9 +80,10 @@ class Refresher:
         for panel in self._panels:
             self._refresh(panel, None)
 
-    def refresh(self, view: Snapshot) -> None:
-        """Refresh the panels that are due. ``tick`` is the s between two calls."""
-        now = self._clock()
+    def refresh(self, view: Snapshot) -> list[str]:
+        """Refresh the panels that are due; returns their names. ``tick`` is the s between two
+        calls."""
+        now, refreshed = self._clock(), []
         for panel in self._panels:
             hidden = panel.visibleRegion().isEmpty() and not panel.works_unseen
             if now < self._due.get(panel.name, 0.0) or hidden:
@@ -91,6 +92,8 @@ class Refresher:
             fine = self._refresh(panel, view)
             rest = self._period(panel, view) - self._tick / 2 if fine else REST_S
             self._due[panel.name] = now + max(rest, SPARE * (self._clock() - began))
+            refreshed += [panel.name] if fine else []
+        return refreshed
 
     def _period(self, panel: Panel, view: Snapshot) -> float:
         """s; longer while the engine reports that the computer is too slow for all panels."""
@@ -153,6 +156,7 @@ class Ticker(QObject):
     ``colours_unfit``: patches were detected and no hand was found, or that has ended. ``no_hand``:
     `NO_HAND_AFTER` s of packets and images after the start without a hand; once per engine.
     ``is_waited_for``: whether a consumer of the hand needs low latency; then panels pause longer.
+    ``refreshed`` is called with the data and the names of the panels that show them.
     """
 
     colours_unfit = Signal(bool)
@@ -176,6 +180,7 @@ class Ticker(QObject):
         host.opened.connect(self._begin)
         host.closed.connect(self._clear)
         self.is_waited_for: Callable[[], bool] = lambda: False
+        self.refreshed: Callable[[Snapshot, Sequence[str]], None] = lambda view, panels: None
         self._pace = Pace()
         self._counted = (0.0, 0)  # when, and how many ticks there had been
         self._timer = QTimer(self)
@@ -209,7 +214,7 @@ class Ticker(QObject):
         self.ticks += 1
         view = self._host.snapshot()
         if view is not None:
-            self._refresher.refresh(view)
+            self.refreshed(view, self._refresher.refresh(view))
         if now >= self._status_due:
             self._status_due = now + STATUS_PERIOD
             self._refresh_status(view)

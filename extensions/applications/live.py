@@ -9,12 +9,13 @@ from typing import NamedTuple
 
 from extensions.applications.extension import LISTENER
 from extensions.applications.runner import Outcome
+from extensions.applications.sinks import KIND as MOTOR
 from extensions.applications.sinks import all_sinks
 from extensions.applications.stage import ApplicationStage
 from tracker.base.channels import Closed, Fifo
 from tracker.base.urgency import run_soon
 from tracker.live.listeners import ListenedHand, Listener, LiveAccess
-from tracker.messages import Estimate
+from tracker.messages import Estimate, Event
 
 MOST_WAITING = 200  # estimates, 2 s: an application that is slower loses some
 WAIT = 0.05  # s between checks of the thread whether to stop
@@ -25,7 +26,15 @@ def listener(hand: ListenedHand) -> ReplayedApplication:
     if hand.live is None:
         return ReplayedApplication(ApplicationStage(hand.hand, hand.glove))
     stage = ApplicationStage(hand.hand, hand.glove, hand.live.record)
-    stage.sinks += all_sinks(hand.live.vibrate, stage.tell)
+    telemetry = hand.live.telemetry
+
+    def tell(event: Event) -> None:
+        of = event.data.get("of")
+        if event.kind == MOTOR and isinstance(of, float):
+            telemetry.took("motor", event.t - of)
+        stage.tell(event)
+
+    stage.sinks += all_sinks(hand.live.vibrate, tell)
     return LiveApplication(stage, hand.live)
 
 

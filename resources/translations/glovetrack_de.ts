@@ -4841,6 +4841,16 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/signals.py" />
+      <source>latency, sample to screen</source>
+      <translation>Latenz, Messwert bis Bildschirm</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>latency, sample to streams</source>
+      <translation>Latenz, Messwert bis Streams</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
       <source>packets lost</source>
       <translation>verlorene Pakete</translation>
     </message>
@@ -5048,6 +5058,21 @@ change {}: {}</source>
       <location filename="app/viewmodels/status.py" />
       <source>Arrival of an image to its estimate</source>
       <translation>Ankunft eines Bildes bis zu seiner Schätzung</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/status.py" />
+      <source>Sample to the screen</source>
+      <translation>Messwert bis zum Bildschirm</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/status.py" />
+      <source>Sample to the streams</source>
+      <translation>Messwert bis zu den Streams</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/status.py" />
+      <source>Sample to a motor</source>
+      <translation>Messwert bis zu einem Motor</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />

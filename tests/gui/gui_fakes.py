@@ -241,6 +241,9 @@ class ScriptedEngine:
     def record(self, message) -> None:
         self.commands.append("record")
 
+    def set_figures(self, figures) -> None:
+        self.figures = figures
+
     def set_reference(self, name: str | None) -> None:
         self.commands.append(f"set_reference {name}")
 

@@ -35,6 +35,7 @@ from tracker.messages import Event, Tracking
 from tracker.offline.options import TrackOptions
 from tracker.offline.track import track
 from tracker.session.compare import compare
+from tracker.session.latency import latencies_of
 from tracker.session.recover import needs_recovery
 from tracker.streaming.registry import StreamSettings, with_streams
 
@@ -92,6 +93,8 @@ def test_a_recording_is_complete_although_the_process_crashes(
     qtbot.waitUntil(lambda: host.setup.tracked.latest_estimate().t > begun + 1.5, timeout=LONG)
     host.recording.end()
     qtbot.waitUntil(lambda: len(done) == 1, timeout=LONG)
+    late = latencies_of(tmp_path / "a.mcap")
+    assert all(0.0 < late[what]["median_ms"] < 1e4 for what in ("screen", "stream")), late
     track(tmp_path / "a.mcap", tmp_path / "again.mcap", TrackOptions())
     found = compare(tmp_path / "a.mcap", tmp_path / "again.mcap")
     assert found["identical"], found

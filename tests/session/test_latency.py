@@ -69,13 +69,15 @@ def test_figures_of_the_live_run_and_delays_of_images_are_reported(
         Status(
             at(1000.0 * k),
             Tracking.TRACKING,
-            {f"{TOTAL}_ms": 20 + k, f"{TOTAL}_p99_ms": 40 + 2 * k},
+            {f"{TOTAL}_ms": 20 + k, f"{TOTAL}_p99_ms": 40 + 2 * k}
+            | {"latency_screen_ms": 30.0, "latency_screen_p99_ms": 50.0},
         )
         for k in range(5)
     ]
     found = latencies_of(record(tmp_path / "live.mcap", states))
     assert found == {
-        "pose after an image": {"count": 5, "median_ms": 22.0, "p99_ms": 44.0, "most_ms": 48.0}
+        "pose after an image": {"count": 5, "median_ms": 22.0, "p99_ms": 44.0, "most_ms": 48.0},
+        "screen": {"count": 5, "median_ms": 30.0, "p99_ms": 50.0, "most_ms": 50.0},
     }
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import partial
 
 import numpy as np
@@ -71,6 +71,7 @@ class LiveHand:
         self._subscribing = threading.Lock()
         self.sides: SideWatch | None = None
         self.watch_side(pipeline)
+        self.shown: Mapping[str, float] = {}  # figures of the window for the status
         self._begun = clock()
         self.telemetry.ask(self.history.figures)
         self.telemetry.ask(self._side_figures)
@@ -189,7 +190,7 @@ class LiveHand:
     def status(self, shared: dict[str, float]) -> Status:
         """Returns the status of this hand and the devices; ``shared``: figures of all hands."""
         now = self._clock()
-        return Status(now, self.tracking, shared | self.telemetry.values(now))
+        return Status(now, self.tracking, {**shared, **self.telemetry.values(now), **self.shown})
 
 
 def of_two(tracking: Tracking, side: str) -> Notice:

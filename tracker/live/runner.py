@@ -240,6 +240,10 @@ class HandOfTracker:
         """Records a message of another part; does nothing while no recording is running."""
         self._loop.journal.record(message)
 
+    def set_figures(self, figures: Mapping[str, float]) -> None:
+        """Adds figures of the window to the status, in place of those of the last call."""
+        self._hand.shown = figures
+
     def hold(self, pose: str) -> None:
         """Begins a guided pose of `tracker.hand.poses`."""
         self._inbox.put(GuidedCommand(pose, True, self.side))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections import deque
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 
 import numpy as np
 
@@ -67,10 +67,17 @@ class Telemetry:
                 out[f"{name}_rate_hz"] = len(ticks) / span
             took = {name: list(times) for name, times in self._times.items()}
         for name, times in took.items():  # without the lock, for which devices and filter wait
-            ms = 1e3 * np.sort(times)
-            out[f"latency_{name}_ms"] = _quantile(ms, 0.5)
-            out[f"latency_{name}_p99_ms"] = _quantile(ms, 0.99)
+            out |= latency_figures(name, times)
         return out
+
+
+def latency_figures(name: str, times: Collection[float]) -> dict[str, float]:
+    """Median and 99th percentile of ``times`` (s), by the names of the status."""
+    ms = 1e3 * np.sort(np.fromiter(times, float))
+    return {
+        f"latency_{name}_ms": _quantile(ms, 0.5),
+        f"latency_{name}_p99_ms": _quantile(ms, 0.99),
+    }
 
 
 def _quantile(ordered: Array, share: float) -> float:

@@ -16,7 +16,12 @@ from tracker.session.reader import SessionReader
 from tracker.session.ros import topics
 
 PACKET, IMAGE, MOTOR = "packet", "image", "motor"
-STAGES = {"imu": "pose after a packet", "total": "pose after an image"}
+STAGES = {
+    "imu": "pose after a packet",
+    "total": "pose after an image",
+    "screen": "screen",
+    "stream": "stream",
+}
 """Counters of `tracker.live.telemetry` that are reported, and the outputs' names for them."""
 DESCRIPTIONS = {
     PACKET: "sample to arrival of its packet",
@@ -24,6 +29,8 @@ DESCRIPTIONS = {
     "pose after a packet": "arrival of a packet to its pose",
     "pose after an image": "arrival of an image to its pose",
     MOTOR: "sample to motor command",
+    "screen": "sample to the window's screen",
+    "stream": "sample to the streams",
 }
 Figures = dict[str, dict[str, float]]
 
@@ -36,8 +43,10 @@ def latencies_of(path: Path) -> Figures:
     NAME``: a robot's command was sent. All are measured from the instant of the sample or exposure.
     ``pose after a packet`` and ``pose after an image``: the estimate was made, from the arrival;
     computed from the live run's own figures, each of the seconds before it: ``count`` of them, the
-    median of their medians, and of their 99th percentiles the median and the largest. Those of the
-    left of two hands end in ``left``. Raises FileError.
+    median of their medians, and of their 99th percentiles the median and the largest. ``screen``
+    and ``stream``, likewise: the window had painted the estimate of a sample, and the streams had
+    sent it, from the instant of the sample. Those of the left of two hands end in ``left``. Raises
+    FileError.
     """
     found: Figures = {}
     with SessionReader(path) as reader:

@@ -26,6 +26,7 @@ _log = logging.getLogger(__name__)
 
 BACKLOG = 50  # estimates: half a second; older ones are of no use to a live client
 RATE_WINDOW = 3.0  # s over which rates are counted
+LATE_KEPT = 100  # estimates; a second
 END_WAIT = 1.0  # s that `close` allows an output to finish sending
 
 
@@ -40,6 +41,9 @@ class StreamCounts:
     error: Title  # of the last failure; empty if the last message was sent
     clients: int | None = None  # connected; None if the protocol does not report it
     rates_hz: tuple[float, ...] = ()  # messages per second in the last `RATE_WINDOW`, for each hand
+    late: tuple[float, ...] = ()
+    """s from the instants of the last `LATE_KEPT` estimates' samples until they were sent; of no
+    use in a replay."""
     missed: Mapping[str, int] = field(default_factory=dict)
     """Messages that slow clients missed, by address; "" for clients that have left."""
 
@@ -74,6 +78,7 @@ def of_all_hands(counts: Sequence[StreamCounts]) -> StreamCounts:
         next((c.error for c in counts if c.error), ""),
         first.clients,
         tuple(rate for c in counts for rate in c.rates_hz),
+        tuple(late for c in counts for late in c.late),
         first.missed,
     )
 
@@ -145,6 +150,7 @@ class _Output:
         self.queue: Backlog[tuple[int, Estimate]] = Backlog(BACKLOG)
         self._times: deque[float] = deque()  # of what was sent in the last `RATE_WINDOW`
         self._began = time.monotonic()
+        self._late: deque[float] = deque(maxlen=LATE_KEPT)
         self._timing = threading.Lock()
         self._sent = self._failed = 0
         self._error: Title = ""
@@ -159,6 +165,7 @@ class _Output:
             self._error,
             getattr(self._publisher, "clients", None),
             (self._rate(time.monotonic()),),
+            tuple(self._late),
             getattr(self._publisher, "missed", dict)(),
         )
 
@@ -196,8 +203,10 @@ class _Output:
                 _log.warning("The stream %s failed", self._publisher.name, exc_info=True)
             self._tell(_reason(error))
         else:
+            now = time.monotonic()
             self._sent += 1
-            self._rate(time.monotonic(), sent=1)
+            self._rate(now, sent=1)
+            self._late.append(now - estimate.t)
             self._tell("")
 
     def _tell(self, error: Title) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar
 
@@ -145,6 +145,9 @@ class ApartHand:
 
     def record(self, message: Message) -> None:
         self._process.tell(self._target, "record", message)
+
+    def set_figures(self, figures: Mapping[str, float]) -> None:
+        self._process.tell(self._target, "set_figures", figures)
 
     def set_reference(self, name: str | None) -> None:
         """Raises ConfigError for an unknown name."""
