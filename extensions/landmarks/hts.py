@@ -10,17 +10,34 @@ without the wrist neither line, without a landmark only the wrist's.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
 import numpy as np
 
-from extensions.landmarks.lines import LineSender
+from extensions.landmarks.lines import LineSender, open_lines
 from extensions.landmarks.points import UNITY_OF_G, WRIST, Landmarks, landmarks_of
 from tracker.base.notices import Notice
 from tracker.geometry import so3
 from tracker.messages import Array, Estimate
-from tracker.streaming.publisher import Names
+from tracker.streaming.connection import LOOPBACK, option
+from tracker.streaming.publisher import Names, Publisher
+from tracker.streaming.registry import StreamKind
 
 DECIMALS = 6  # µm
 NUMBER = f", %.{DECIMALS}f"
+
+
+@dataclass(frozen=True)
+class HtsOptions:
+    host: str = option(LOOPBACK, "destination; with transport server, the listening address")
+    port: int = option(9000, "port")
+    transport: str = option(
+        "udp",
+        "udp; tcp: connect to a program that listens; server: wait for programs to connect",
+        ("udp", "tcp", "server"),
+    )
+    numbered: bool = option(False, "whether lines have a frame number and a time")
 
 
 class HtsPublisher:
@@ -79,3 +96,14 @@ def _local(hand: Landmarks) -> Array:
 def _numbers(values: Array) -> str:
     rounded = (np.round(values, DECIMALS) + 0.0).tolist()  # no -0
     return NUMBER * len(rounded) % tuple(rounded)
+
+
+def _publishers(options: HtsOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
+    lines = open_lines(options.transport, "HTS", options.host, options.port)
+    for i, names in enumerate(hands):
+        yield HtsPublisher(names, lines, options.numbered, owner=i == 0)
+
+
+HTS = StreamKind(
+    name="hts", title="Hand Tracking Streamer", options=HtsOptions, make=_publishers, order=24
+)

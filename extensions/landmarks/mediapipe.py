@@ -13,6 +13,7 @@ away. The camera looks along G's x. landmarks are in its image: x and y from 0 t
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -23,13 +24,21 @@ from extensions.landmarks.points import CAMERA_OF_G, WRIST, landmarks_of
 from glovetrack.conventions import MEDIAPIPE
 from tracker.base.notices import Notice, notice
 from tracker.messages import Array, Estimate
-from tracker.streaming.connection import StreamError
+from tracker.streaming.connection import LOOPBACK, StreamError, option
 from tracker.streaming.datagram import DatagramSocket
-from tracker.streaming.publisher import Names
+from tracker.streaming.publisher import Names, Publisher
+from tracker.streaming.registry import StreamKind
 from tracker.streaming.text import HOLE, TextForm, holes
 
 ASPECT = 4 / 3
 INDEX = {"left": 0, "right": 1}
+
+
+@dataclass(frozen=True)
+class MediaPipeOptions:
+    host: str = option(LOOPBACK, "destination")
+    port: int = option(9002, "destination port")
+    width: float = option(0.8, "width (m) that the virtual camera's image shows")
 
 
 @dataclass(frozen=True)
@@ -94,3 +103,17 @@ def _form(side: str, whole: bool) -> TextForm:
             "handednesses": [[category]],
         }
     )
+
+
+def _publishers(options: MediaPipeOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
+    for names in hands:
+        yield MediaPipePublisher(names, ImaginedView(options.width), options.host, options.port)
+
+
+STREAM = StreamKind(
+    name="mediapipe",
+    title="MediaPipe (JSON)",
+    options=MediaPipeOptions,
+    make=_publishers,
+    order=25,
+)

@@ -6,10 +6,16 @@ the order of `request.FIELDS`; those at the end may be left out.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from extensions.osc import decode as osc_decode
 from extensions.osc import encode as osc_encode
 from extensions.osc.decode import OscError
 from tracker.base.notices import notice
+from tracker.streaming.connection import LOOPBACK, option
+from tracker.streaming.remote.doors import DatagramDoor, Door
+from tracker.streaming.remote.reception import Answer
+from tracker.streaming.remote.registry import DoorKind
 from tracker.streaming.remote.request import (
     FIELDS,
     MOST_BYTES,
@@ -21,6 +27,12 @@ from tracker.streaming.remote.request import (
 
 ROOT = "/glovetrack/"
 REPLY = f"{ROOT}reply"
+
+
+@dataclass(frozen=True)
+class OscOptions:
+    host: str = option(LOOPBACK, "listening address")
+    port: int = option(9761, "listening port")
 
 
 def parse(data: bytes, t: float) -> Request | None:
@@ -52,3 +64,10 @@ def encode(reply: Reply) -> bytes:
     """The answer as one message."""
     name = reply.file.name if reply.file is not None else ""
     return osc_encode.message(REPLY, reply.do, int(reply.ok), reply.text, name)
+
+
+def _door(options: OscOptions, answer: Answer) -> Door:
+    return DatagramDoor("OSC", (parse, encode), answer, options.host, options.port)
+
+
+REMOTE = DoorKind(name="osc", title="OSC", options=OscOptions, make=_door, order=11)

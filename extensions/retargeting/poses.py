@@ -12,6 +12,7 @@ the tip, y out of the back of the hand. Position and ``sd`` (of the position, pe
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -31,9 +32,11 @@ from tracker.hand.openxr import (
     keypoint_rows,
 )
 from tracker.messages import Array, Estimate, IntArray, Validity
+from tracker.streaming.connection import LOOPBACK, option
 from tracker.streaming.datagram import DatagramSocket
 from tracker.streaming.payload import encoded, openxr_of
-from tracker.streaming.publisher import STATE_WORDS, Names, StreamError
+from tracker.streaming.publisher import STATE_WORDS, Names, Publisher, StreamError
+from tracker.streaming.registry import StreamKind
 from tracker.streaming.text import HOLE, Column, TextForm, holes
 
 SCHEMA = 1
@@ -48,8 +51,25 @@ _LANDMARK_ROWS = _ROWS["landmarks"]
 
 
 @dataclass(frozen=True)
+class KeyedPoseOptions:
+    host: str = option(LOOPBACK, "destination")
+    port: int = option(9003, "destination port")
+    joints: str = option(
+        "tips",
+        "tips: wrist and fingertips; openxr: 26 joints; landmarks: 21, in MediaPipe's order",
+        ("tips", "openxr", "landmarks"),
+    )
+    frame: str = option(
+        "world",
+        "world: z up; openxr: y up; wrist: relative to the wrist; operator: dex-retargeting's",
+        ("world", "openxr", "wrist", "operator"),
+    )
+    matrix: bool = option(False, "whether each pose also has a 4×4 matrix")
+
+
+@dataclass(frozen=True)
 class PoseView:
-    """Which poses, in which frame, and whether as matrices, too: values of `PoseOptions`."""
+    """Which poses, in which frame, and whether as matrices, too: values of `KeyedPoseOptions`."""
 
     joints: str = "tips"
     frame: str = "world"
@@ -72,7 +92,7 @@ class KeyedPoses:
 
 
 def poses_of(e: Estimate, names: Names, frame: str) -> KeyedPoses:
-    """Poses in one of the frames of `PoseOptions`; ``names`` have OpenXR's radii."""
+    """Poses in one of the frames of `KeyedPoseOptions`; ``names`` have OpenXR's radii."""
     hand = openxr_of(e, names)
     state = np.array(hand.state)
     R = np.full((len(JOINTS), 3, 3), np.nan)
@@ -169,3 +189,18 @@ class PosePublisher:
 
     def close(self) -> None:
         self._socket.close()
+
+
+def _publishers(options: KeyedPoseOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
+    view = PoseView(options.joints, options.frame, options.matrix)
+    for names in hands:
+        yield PosePublisher(names.with_openxr(), view, options.host, options.port)
+
+
+POSES = StreamKind(
+    name="poses",
+    title="Keyed poses (Isaac, retargeting)",
+    options=KeyedPoseOptions,
+    make=_publishers,
+    order=26,
+)

@@ -16,6 +16,8 @@ from tracker.streaming.connection import StreamError
 from tracker.streaming.publisher import Names
 from tracker.streaming.shared import Gestures
 
+CONTROLS = ("", *GESTURES)
+"""Values of an option for a control."""
 JOINT_NAMES = {
     finger: ("cmc", "mcp", "ip") if finger == "thumb" else ("mcp", "pip", "dip")
     for finger in CHAINS

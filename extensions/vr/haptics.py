@@ -5,15 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from concurrent.futures import Future
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from extensions.osc import decode
 from extensions.osc.decode import OscError
 from tracker.base.notices import notice
 from tracker.hand.names import CHAINS
-from tracker.streaming.connection import StreamError
+from tracker.streaming.connection import LOOPBACK, StreamError, option
 from tracker.streaming.remote.doors import DatagramDoor, Door
 from tracker.streaming.remote.reception import Answer
+from tracker.streaming.remote.registry import DoorKind
 from tracker.streaming.remote.request import (
     MOST_AMPLITUDE,
     MOST_MS,
@@ -22,9 +23,20 @@ from tracker.streaming.remote.request import (
     RequestError,
 )
 
+RIGHT, LEFT = 57, 56
+"""The last two devices of VMT: the first ones are used by full-body trackers."""
 HAPTIC = "/VMT/Out/Haptic"
 SHORTEST = 0.02  # s: a pulse of zero length is the shortest that is felt
 ALL = "all"
+
+
+@dataclass(frozen=True)
+class HapticOptions:
+    host: str = option(LOOPBACK, "listening address")
+    port: int = option(39571, "port to which VMT's driver sends")
+    right: int = option(RIGHT, "number of the right hand's device, 0 to 57")
+    left: int = option(LEFT, "number of the left hand's device, 0 to 57")
+    fingers: str = option("all", "motors that vibrate: a list such as thumb,index, or all")
 
 
 class HapticDoor:
@@ -78,3 +90,17 @@ def haptic(data: bytes, t: float, sides: dict[int, str]) -> Request | None:
     strength = round(min(amplitude, 1.0) * MOST_AMPLITUDE)
     ms = round(1000 * min(max(duration, SHORTEST), MOST_MS / 1000))
     return Request("vibrate", t, amplitude=strength, duration_ms=ms, side=sides[int(index)])
+
+
+def _haptics(options: HapticOptions, answer: Answer) -> Door:
+    sides = {options.right: "right", options.left: "left"}
+    return HapticDoor(answer, sides, options.fingers, options.host, options.port)
+
+
+HAPTICS = DoorKind(
+    name="vmt",
+    title="SteamVR vibration (VMT)",
+    options=HapticOptions,
+    make=_haptics,
+    order=22,
+)

@@ -13,15 +13,18 @@ import os
 import struct
 import sys
 import time
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
-from extensions.vr.buttons import ButtonGestures, Controls, control_reader
+from extensions.vr.buttons import CONTROLS, ButtonGestures, Controls, control_reader
 from tracker.base.notices import Notice, failure, notice
 from tracker.messages import Array, Estimate
-from tracker.streaming.connection import StreamError
-from tracker.streaming.publisher import Names
+from tracker.streaming.connection import StreamError, option
+from tracker.streaming.publisher import Names, Publisher
+from tracker.streaming.registry import StreamKind
 
 RETRY_AFTER = 1.0  # s
 PACKET = struct.Struct("<20f5f2f8?f")
@@ -31,6 +34,27 @@ DIGITS = "ABCDE"  # thumb to little finger
 ROW = np.array([[0, 1, 2, 2], *([[0, 0, 1, 2]] * 4)])
 """For each digit, of `Controls.flexion` what each of the driver's four joints takes: the thumb's
 fourth does not exist, and a finger's first is its metacarpal, which bends with the knuckle."""
+
+
+@dataclass(frozen=True)
+class OpenGlovesOptions:
+    pipe: str = option(
+        r"\\.\pipe\vrapplication\input\glove\v2\{side}",
+        "path of the driver's pipe; {side} stands for left or right",
+    )
+    trigger: str = option("pinch_index", "gesture for the trigger", CONTROLS)
+    grip: str = option("grasp", "gesture for the grip", CONTROLS)
+    a: str = option("pinch_middle", "gesture for button A", CONTROLS)
+    b: str = option("pinch_ring", "gesture for button B", CONTROLS)
+
+
+@dataclass(frozen=True)
+class MonadoOptions:
+    link: str = option("", "path of a link to the serial port, with {side} for left or right")
+    trigger: str = option("pinch_index", "gesture for the trigger", CONTROLS)
+    grip: str = option("grasp", "gesture for the grip", CONTROLS)
+    a: str = option("pinch_middle", "gesture for button A", CONTROLS)
+    b: str = option("pinch_ring", "gesture for button B", CONTROLS)
 
 
 def joints_of(controls: Controls) -> Array:
@@ -180,3 +204,31 @@ def line_of(c: Controls) -> str:
 
 def _analog(share: float) -> int:
     return round(float(share) * MOST_ANALOG)
+
+
+def _opengloves(options: OpenGlovesOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
+    gestures = ButtonGestures(options.trigger, options.grip, options.a, options.b)
+    for names in hands:
+        yield PipePublisher(names, gestures, options.pipe)
+
+
+def _monado(options: MonadoOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
+    gestures = ButtonGestures(options.trigger, options.grip, options.a, options.b)
+    for names in hands:
+        yield LinePublisher(names, gestures, options.link)
+
+
+OPENGLOVES = StreamKind(
+    name="opengloves",
+    title="SteamVR (OpenGloves)",
+    options=OpenGlovesOptions,
+    make=_opengloves,
+    order=23,
+)
+MONADO = StreamKind(
+    name="monado",
+    title="Monado (serial line)",
+    options=MonadoOptions,
+    make=_monado,
+    order=23,
+)
