@@ -11,12 +11,13 @@ from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.jobs.own_gloves import own_vibration, save_own
 from app.storage.settings import SettingsStore
-from app.viewmodels.motor_test import vibration_words
-from app.words import error_text
+from app.viewmodels.names import spoken
+from app.words import error_text, local, tr
+from tracker import GRAVITY
 from tracker.base.errors import GlovetrackError
-from tracker.calibration.motor_vibration import vibration_of
+from tracker.calibration.motor_vibration import Vibration, vibration_of
 from tracker.glove.imu_values import with_vibration
-from tracker.glove.model import ImuVibration
+from tracker.glove.model import GloveModel, ImuVibration
 from tracker.messages import ImuSample
 
 AMPLITUDE, RUN_MS, FULL = 160, 800, 255
@@ -105,3 +106,15 @@ def _with_motor(
         row[channel] = value
         out.append(row)
     return ImuVibration(*out)
+
+
+def vibration_words(glove: GloveModel, channel: int, found: Vibration) -> str:
+    """A line for the motor, and one for each IMU that it shakes, the most first."""
+    lines = [tr("Motor {} shakes the IMUs (standard deviation):").format(channel + 1)]
+    for j in np.argsort(-found.accel):
+        values = (
+            f"{local(found.accel[j] / GRAVITY):.3f}",
+            f"{local(np.rad2deg(found.gyro[j])):.2f}",
+        )
+        lines.append(tr("{}: {} g, {} °/s").format(spoken(glove.imu_names[j]), *values))
+    return "\n".join(lines)

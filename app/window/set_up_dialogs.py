@@ -167,7 +167,7 @@ class SetUpDialogs(QObject):
             return
         if setup.live is None or not setup.connection.present:
             return
-        from app.wizards.positions.dialog import PositionsDialog  # deferred: loads SciPy
+        from app.wizards.positions import PositionsDialog  # deferred: loads SciPy
 
         scene = theme.colours(self._store.value.theme).scene
         dialog = PositionsDialog(self._host, setup, self._store, self._tasks, scene, self._window)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+import xml.etree.ElementTree as ET
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,7 +17,6 @@ from extensions.robot.anatomy import RobotAnatomy, read_anatomy
 from extensions.robot.finger_map import FingerMap, map_from_text
 from extensions.robot.fingers import Found, find_fingers, path_to, plain
 from extensions.robot.library import MODELS, model_path, need_mujoco
-from extensions.robot.mirror import mirrored
 from extensions.robot.model_file import effort, read_model
 from extensions.robot.settings import RobotSettings
 from tracker.base.errors import ConfigError
@@ -200,3 +200,66 @@ def _torques(model: mujoco.MjModel) -> dict[str, float]:
         if model.jnt_actfrclimited[j]:
             out.setdefault(model.joint(j).name, effort(model.jnt_actfrcrange[j]))
     return out
+
+
+Signs = tuple[int, ...]
+_POINT: Signs = (-1, 1, 1)
+_CHANGES: Mapping[str, Signs] = {
+    "pos": _POINT,
+    "quat": (1, 1, -1, -1),
+    "axis": (1, -1, -1),
+    "fromto": (*_POINT, *_POINT),
+    "fullinertia": (1, 1, 1, -1, -1, 1),  # xx, yy, zz, xy, xz, yz
+    "refpos": _POINT,
+    "refquat": (1, 1, -1, -1),
+    "dir": _POINT,
+}
+_Z = "0 0 1"
+_SLIDE_AXIS: Signs = _POINT
+_UNREAD = ("euler", "axisangle", "xyaxes", "zaxis")
+
+
+def mirrored(mjcf: str) -> str:
+    """Mirrors an MJCF hand for the other side. Raises ConfigError for what cannot be mirrored.
+
+    The mirror is the plane x = 0 of every frame. A point (x, y, z) maps to (-x, y, z), a rotation
+    about n by a to one about M n by -a, so a quaternion (w, x, y, z) to (w, x, -y, -z), and a
+    joint's axis n, at the same angle, to -M n. Expects the form that MuJoCo saves: quaternions, no
+    Euler angles.
+    """
+    root = ET.fromstring(mjcf)
+    _write_default_axes(root)
+    for element in root.iter():
+        for name in _UNREAD:
+            if name in element.attrib:
+                raise ConfigError(notice("robot.not_mirrorable", what=name))
+        for name, signs in _CHANGES.items():
+            if name in element.attrib:
+                slides = name == "axis" and element.get("type") == "slide"
+                _sign(element, name, _SLIDE_AXIS if slides else signs)
+        if element.tag == "mesh" and ("file" in element.attrib or "vertex" in element.attrib):
+            element.set("scale", element.get("scale", "1 1 1"))
+            _sign(element, "scale", _POINT)
+    return ET.tostring(root, encoding="unicode")
+
+
+def _write_default_axes(root: ET.Element) -> None:
+    """MuJoCo does not write the axis of a joint that turns about z: it is the default."""
+    defaults = root.find("default")
+    if defaults is None:
+        defaults = ET.SubElement(root, "default")
+    joint = defaults.find("joint")
+    if joint is None:
+        joint = ET.SubElement(defaults, "joint")
+    if "axis" in joint.attrib:
+        return
+    if not any("axis" in other.attrib for other in defaults.iter("joint")):
+        for slide in (j for body in root.iter("body") for j in body.findall("joint")):
+            if slide.get("type") == "slide":
+                slide.attrib.setdefault("axis", _Z)
+    joint.set("axis", _Z)
+
+
+def _sign(element: ET.Element, name: str, signs: Signs) -> None:
+    values = [float(v) for v in element.attrib[name].split()]
+    element.set(name, " ".join(repr(s * v) for v, s in zip(values, signs, strict=True)))

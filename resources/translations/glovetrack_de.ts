@@ -133,6 +133,16 @@
       <translation>Angaben zur Sitzung werden gelesen</translation>
     </message>
     <message>
+      <location filename="app/jobs/motor_test.py" />
+      <source>Motor {} shakes the IMUs (standard deviation):</source>
+      <translation>Motor {} erschüttert die IMUs (Standardabweichung):</translation>
+    </message>
+    <message>
+      <location filename="app/jobs/motor_test.py" />
+      <source>{}: {} g, {} °/s</source>
+      <translation>{}: {} g, {} °/s</translation>
+    </message>
+    <message>
       <location filename="app/jobs/offline_tracking.py" />
       <source>comparing</source>
       <translation>Vergleich</translation>
@@ -176,51 +186,6 @@
       <location filename="app/jobs/remote.py" />
       <source>Remote control over {} is open.</source>
       <translation>Die Fernsteuerung über {} ist offen.</translation>
-    </message>
-    <message>
-      <location filename="app/panels/bug_report_dialog.py" />
-      <source>The file stays on this computer until you send it. It will contain:</source>
-      <translation>Die Datei bleibt auf diesem Rechner, bis Sie sie versenden. Sie wird enthalten:</translation>
-    </message>
-    <message>
-      <location filename="app/panels/bug_report_dialog.py" />
-      <source>Save a bug report</source>
-      <translation>Fehlerbericht speichern</translation>
-    </message>
-    <message>
-      <location filename="app/panels/bug_report_dialog.py" />
-      <source>Change…</source>
-      <translation>Ändern…</translation>
-    </message>
-    <message>
-      <location filename="app/panels/bug_report_dialog.py" />
-      <source>Save</source>
-      <translation>Speichern</translation>
-    </message>
-    <message>
-      <location filename="app/panels/bug_report_dialog.py" />
-      <source>An image of the window</source>
-      <translation>Ein Bild des Fensters</translation>
-    </message>
-    <message>
-      <location filename="app/panels/bug_report_dialog.py" />
-      <source>The last seconds of the session</source>
-      <translation>Die letzten Sekunden der Sitzung</translation>
-    </message>
-    <message>
-      <location filename="app/panels/bug_report_dialog.py" />
-      <source>Camera images of these seconds</source>
-      <translation>Kamerabilder dieser Sekunden</translation>
-    </message>
-    <message>
-      <location filename="app/panels/bug_report_dialog.py" />
-      <source>Participant, task, notes and folder names</source>
-      <translation>Versuchsperson, Aufgabe, Notizen und Ordnernamen</translation>
-    </message>
-    <message>
-      <location filename="app/panels/bug_report_dialog.py" />
-      <source>File</source>
-      <translation>Datei</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/panel.py" />
@@ -306,6 +271,11 @@
       <location filename="app/panels/calibration/wearer_row.py" />
       <source>Show the changes since the last fit</source>
       <translation>Änderungen seit der letzten Anpassung zeigen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/calibration/wearer_row.py" />
+      <source>Save</source>
+      <translation>Speichern</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
@@ -616,6 +586,11 @@
       <location filename="app/panels/colours/panel.py" />
       <source>The factory colours do not match this glove.</source>
       <translation>Die mitgelieferten Farben passen nicht zu diesem Handschuh.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/colours/ranges.py" />
+      <source>Histogram of hues</source>
+      <translation>Histogramm der Farbtöne</translation>
     </message>
     <message>
       <location filename="app/panels/colours/ranges.py" />
@@ -1013,32 +988,32 @@
       <translation>Ganze Aufnahme wird gelesen…</translation>
     </message>
     <message>
-      <location filename="app/panels/graphs/layouts.py" />
+      <location filename="app/panels/graphs/panel.py" />
       <source>Save these graphs…</source>
       <translation>Diese Diagramme speichern…</translation>
     </message>
     <message>
-      <location filename="app/panels/graphs/layouts.py" />
+      <location filename="app/panels/graphs/panel.py" />
       <source>Delete a layout…</source>
       <translation>Layout löschen…</translation>
     </message>
     <message>
-      <location filename="app/panels/graphs/layouts.py" />
+      <location filename="app/panels/graphs/panel.py" />
       <source>Save these graphs</source>
       <translation>Diese Diagramme speichern</translation>
     </message>
     <message>
-      <location filename="app/panels/graphs/layouts.py" />
+      <location filename="app/panels/graphs/panel.py" />
       <source>Name of the layout</source>
       <translation>Name des Layouts</translation>
     </message>
     <message>
-      <location filename="app/panels/graphs/layouts.py" />
+      <location filename="app/panels/graphs/panel.py" />
       <source>Delete a layout</source>
       <translation>Layout löschen</translation>
     </message>
     <message>
-      <location filename="app/panels/graphs/layouts.py" />
+      <location filename="app/panels/graphs/panel.py" />
       <source>Layout</source>
       <translation>Layout</translation>
     </message>
@@ -1399,6 +1374,11 @@
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
+      <source>Change…</source>
+      <translation>Ändern…</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/export_dialog.py" />
       <source>F&amp;older</source>
       <translation>&amp;Ordner</translation>
     </message>
@@ -1491,6 +1471,11 @@
       <location filename="app/panels/library/export_list.py" />
       <source>Open folder</source>
       <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/export_list.py" />
+      <source>File</source>
+      <translation>Datei</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_list.py" />
@@ -4315,16 +4300,6 @@ change {}: {}</source>
       <translation>geändert in: {}</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/motor_test.py" />
-      <source>Motor {} shakes the IMUs (standard deviation):</source>
-      <translation>Motor {} erschüttert die IMUs (Standardabweichung):</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/motor_test.py" />
-      <source>{}: {} g, {} °/s</source>
-      <translation>{}: {} g, {} °/s</translation>
-    </message>
-    <message>
       <location filename="app/viewmodels/names.py" />
       <source>wrist</source>
       <translation>Handgelenk</translation>
@@ -5415,11 +5390,6 @@ change {}: {}</source>
       <translation>Leere Felder: {}</translation>
     </message>
     <message>
-      <location filename="app/widgets/hue_strip.py" />
-      <source>Histogram of hues</source>
-      <translation>Histogramm der Farbtöne</translation>
-    </message>
-    <message>
       <location filename="app/widgets/image_view.py" />
       <source>Wheel or + −: zoom. Drag or arrows: move. Double-click or 0: whole image.</source>
       <translation>Mausrad oder + −: Zoom. Ziehen oder Pfeile: verschieben. Doppelklick oder 0: ganzes Bild.</translation>
@@ -5451,6 +5421,16 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/bug_reports.py" />
+      <source>The file stays on this computer until you send it. It will contain:</source>
+      <translation>Die Datei bleibt auf diesem Rechner, bis Sie sie versenden. Sie wird enthalten:</translation>
+    </message>
+    <message>
+      <location filename="app/window/bug_reports.py" />
+      <source>Save a bug report</source>
+      <translation>Fehlerbericht speichern</translation>
+    </message>
+    <message>
+      <location filename="app/window/bug_reports.py" />
       <source>Glovetrack ended unexpectedly the last time.</source>
       <translation>Glovetrack wurde letztes Mal unerwartet beendet.</translation>
     </message>
@@ -5463,6 +5443,26 @@ change {}: {}</source>
       <location filename="app/window/bug_reports.py" />
       <source>Saving the bug report</source>
       <translation>Fehlerbericht wird gespeichert</translation>
+    </message>
+    <message>
+      <location filename="app/window/bug_reports.py" />
+      <source>An image of the window</source>
+      <translation>Ein Bild des Fensters</translation>
+    </message>
+    <message>
+      <location filename="app/window/bug_reports.py" />
+      <source>The last seconds of the session</source>
+      <translation>Die letzten Sekunden der Sitzung</translation>
+    </message>
+    <message>
+      <location filename="app/window/bug_reports.py" />
+      <source>Camera images of these seconds</source>
+      <translation>Kamerabilder dieser Sekunden</translation>
+    </message>
+    <message>
+      <location filename="app/window/bug_reports.py" />
+      <source>Participant, task, notes and folder names</source>
+      <translation>Versuchsperson, Aufgabe, Notizen und Ordnernamen</translation>
     </message>
     <message>
       <location filename="app/window/bug_reports.py" />
@@ -7000,69 +7000,69 @@ change {}: {}</source>
       <translation>&amp;Countdown</translation>
     </message>
     <message>
-      <location filename="app/wizards/positions/dialog.py" />
+      <location filename="app/wizards/positions.py" />
       <source>Evaluating the positions</source>
       <translation>Lagen werden ausgewertet</translation>
     </message>
     <message>
-      <location filename="app/wizards/positions/dialog.py" />
+      <location filename="app/wizards/positions.py" />
+      <source>The position of the hand</source>
+      <translation>Die Lage der Hand</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions.py" />
       <source>Accelerometer</source>
       <translation>Beschleunigungssensor</translation>
     </message>
     <message>
-      <location filename="app/wizards/positions/dialog.py" />
+      <location filename="app/wizards/positions.py" />
       <source>Gyroscope</source>
       <translation>Gyroskop</translation>
     </message>
     <message>
-      <location filename="app/wizards/positions/dialog.py" />
+      <location filename="app/wizards/positions.py" />
       <source>&amp;Discard</source>
       <translation>&amp;Verwerfen</translation>
     </message>
     <message>
-      <location filename="app/wizards/positions/dialog.py" />
+      <location filename="app/wizards/positions.py" />
       <source>Evaluating the positions…</source>
       <translation>Lagen werden ausgewertet …</translation>
     </message>
     <message>
-      <location filename="app/wizards/positions/dialog.py" />
+      <location filename="app/wizards/positions.py" />
       <source>Beep when a position has been measured</source>
       <translation>Signalton, wenn eine Lage gemessen ist</translation>
     </message>
     <message>
-      <location filename="app/wizards/positions/dialog.py" />
+      <location filename="app/wizards/positions.py" />
       <source>&amp;Finish</source>
       <translation>&amp;Fertig</translation>
     </message>
     <message>
-      <location filename="app/wizards/positions/dialog.py" />
+      <location filename="app/wizards/positions.py" />
       <source>Evaluate the positions measured so far, at least six</source>
       <translation>Die bisher gemessenen Lagen auswerten, mindestens sechs</translation>
     </message>
     <message>
-      <location filename="app/wizards/positions/dialog.py" />
+      <location filename="app/wizards/positions.py" />
       <source>Accuracy of the IMUs</source>
       <translation>Genauigkeit der IMUs</translation>
     </message>
     <message>
-      <location filename="app/wizards/positions/dialog.py" />
+      <location filename="app/wizards/positions.py" />
       <source>The result cannot be used</source>
       <translation>Das Ergebnis ist nicht verwendbar</translation>
     </message>
     <message>
-      <location filename="app/wizards/positions/dialog.py" />
+      <location filename="app/wizards/positions.py" />
       <source>Rest the glove in twelve positions</source>
       <translation>Den Handschuh in zwölf Lagen ruhen lassen</translation>
     </message>
     <message>
-      <location filename="app/wizards/positions/dialog.py" />
+      <location filename="app/wizards/positions.py" />
       <source>Gravity shows how accurate scale and axes of the IMUs are. Wear the glove and support the hand on a table, or fasten the glove to a box. Hold each position still for two seconds. Any order is possible. It takes two minutes.</source>
       <translation>Die Schwerkraft zeigt, wie genau Skalierung und Achsen der IMUs sind. Tragen Sie den Handschuh und stützen Sie die Hand auf einen Tisch, oder befestigen Sie den Handschuh an einer Schachtel. Halten Sie jede Lage zwei Sekunden lang ruhig. Die Reihenfolge ist beliebig. Es dauert zwei Minuten.</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/positions/stage.py" />
-      <source>The position of the hand</source>
-      <translation>Die Lage der Hand</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
@@ -7600,104 +7600,104 @@ change {}: {}</source>
       <translation>Die Seite braucht ein Paket, das nicht installiert ist: pip install "{}"</translation>
     </message>
     <message>
-      <location filename="extensions/conformance/window/extension.py" />
-      <source>C&amp;onformance…</source>
-      <translation>K&amp;onformität…</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/guide/dialog.py" />
-      <source>Conformance</source>
-      <translation>Konformität</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/guide/dialog.py" />
-      <source>Stop the current recording first.</source>
-      <translation>Zuerst die laufende Aufnahme beenden.</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/guide/dialog.py" />
-      <source>Judging {}</source>
-      <translation>{} wird beurteilt</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/guide/lead.py" />
-      <source>A beep at each beat before a step</source>
-      <translation>Ein Ton bei jedem Takt vor einem Schritt</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/guide/lead.py" />
-      <source>Ten gestures, judged by the rules of robot labs</source>
-      <translation>Zehn Gesten, nach den Regeln von Roboterlabors beurteilt</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/guide/lead.py" />
-      <source>The simulated wearers of this demo do not follow the gestures, so the rules on gestures will fail. Use the demo of one hand instead.</source>
-      <translation>Die simulierten Träger dieser Demo folgen den Gesten nicht, daher werden die Regeln zu Gesten nicht erfüllt. Stattdessen die Demo mit einer Hand verwenden.</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/guide/lead.py" />
-      <source>First open and close the hand a few times so that its size is known. Then copy the hand on the left: move into each gesture during three beats and hold it until the ring is full. The recording takes {} seconds.</source>
-      <translation>Zuerst die Hand einige Male öffnen und schließen, damit ihre Größe bekannt ist. Dann die Hand links nachmachen: während dreier Takte in jede Geste gehen und sie halten, bis der Ring voll ist. Die Aufnahme dauert {} Sekunden.</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/guide/result.py" />
+      <location filename="extensions/conformance/window/dialog.py" />
       <source>Verdict</source>
       <translation>Urteil</translation>
     </message>
     <message>
-      <location filename="extensions/conformance/window/guide/result.py" />
+      <location filename="extensions/conformance/window/dialog.py" />
       <source>Rule</source>
       <translation>Regel</translation>
     </message>
     <message>
-      <location filename="extensions/conformance/window/guide/result.py" />
+      <location filename="extensions/conformance/window/dialog.py" />
       <source>Figure</source>
       <translation>Wert</translation>
     </message>
     <message>
-      <location filename="extensions/conformance/window/guide/result.py" />
+      <location filename="extensions/conformance/window/dialog.py" />
       <source>Limit</source>
       <translation>Grenze</translation>
     </message>
     <message>
-      <location filename="extensions/conformance/window/guide/result.py" />
+      <location filename="extensions/conformance/window/dialog.py" />
       <source>Rules</source>
       <translation>Regeln</translation>
     </message>
     <message>
-      <location filename="extensions/conformance/window/guide/result.py" />
+      <location filename="extensions/conformance/window/dialog.py" />
       <source>Open the &amp;page</source>
       <translation>&amp;Seite öffnen</translation>
     </message>
     <message>
-      <location filename="extensions/conformance/window/guide/result.py" />
+      <location filename="extensions/conformance/window/dialog.py" />
       <source>Report with a plot for each rule</source>
       <translation>Bericht mit einem Diagramm für jede Regel</translation>
     </message>
     <message>
-      <location filename="extensions/conformance/window/guide/result.py" />
+      <location filename="extensions/conformance/window/dialog.py" />
       <source>Checking the recording…</source>
       <translation>Aufnahme wird geprüft …</translation>
     </message>
     <message>
-      <location filename="extensions/conformance/window/guide/result.py" />
+      <location filename="extensions/conformance/window/dialog.py" />
       <source>The recording cannot be checked</source>
       <translation>Die Aufnahme lässt sich nicht prüfen</translation>
     </message>
     <message>
-      <location filename="extensions/conformance/window/guide/result.py" />
+      <location filename="extensions/conformance/window/dialog.py" />
+      <source>A beep at each beat before a step</source>
+      <translation>Ein Ton bei jedem Takt vor einem Schritt</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/dialog.py" />
+      <source>Ten gestures, judged by the rules of robot labs</source>
+      <translation>Zehn Gesten, nach den Regeln von Roboterlabors beurteilt</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/dialog.py" />
+      <source>Conformance</source>
+      <translation>Konformität</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/dialog.py" />
       <source>All rules passed</source>
       <translation>Alle Regeln bestanden</translation>
     </message>
     <message>
-      <location filename="extensions/conformance/window/guide/result.py" />
+      <location filename="extensions/conformance/window/dialog.py" />
       <source>Not all rules passed</source>
       <translation>Nicht alle Regeln bestanden</translation>
     </message>
     <message>
-      <location filename="extensions/conformance/window/guide/result.py" />
+      <location filename="extensions/conformance/window/dialog.py" />
+      <source>The simulated wearers of this demo do not follow the gestures, so the rules on gestures will fail. Use the demo of one hand instead.</source>
+      <translation>Die simulierten Träger dieser Demo folgen den Gesten nicht, daher werden die Regeln zu Gesten nicht erfüllt. Stattdessen die Demo mit einer Hand verwenden.</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/dialog.py" />
+      <source>Stop the current recording first.</source>
+      <translation>Zuerst die laufende Aufnahme beenden.</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/dialog.py" />
       <source>{} of {} rules, on {}</source>
       <translation>{} von {} Regeln, bei {}</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/dialog.py" />
+      <source>First open and close the hand a few times so that its size is known. Then copy the hand on the left: move into each gesture during three beats and hold it until the ring is full. The recording takes {} seconds.</source>
+      <translation>Zuerst die Hand einige Male öffnen und schließen, damit ihre Größe bekannt ist. Dann die Hand links nachmachen: während dreier Takte in jede Geste gehen und sie halten, bis der Ring voll ist. Die Aufnahme dauert {} Sekunden.</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/dialog.py" />
+      <source>Judging {}</source>
+      <translation>{} wird beurteilt</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/extension.py" />
+      <source>C&amp;onformance…</source>
+      <translation>K&amp;onformität…</translation>
     </message>
     <message>
       <location filename="extensions/conformance/window/view_model.py" />

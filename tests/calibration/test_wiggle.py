@@ -7,13 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from app.wizards.glove.feed import InstructedWearer, Wiggle, wiggling_wearer
 from tracker.base.notices import warning
 from tracker.calibration.still import StillParams, still_pose
 from tracker.calibration.wiggle import WiggleTest, imu_motion, moving, wiggle_steps
 from tracker.geometry import so3
 from tracker.simulation.imu import ROOM_C, ImuSimulator
 from tracker.simulation.motion import SimulatedMotion
-from tracker.simulation.wiggles import InstructedWearer, Wiggle, wiggling_wearer
 
 DEGREE = np.pi / 180
 SECONDS = 4.0

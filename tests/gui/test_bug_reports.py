@@ -12,11 +12,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QDialogButtonBox, QPlainTextEdit, QPushButton
 
-from app.panels.bug_report_dialog import BugReportDialog
 from app.platform.bug_report import Choice, Material, contents, cut_tail, write_bundle
 from app.platform.crash import CrashWatch
 from app.platform.licences import parts
 from app.storage.settings import AppSettings
+from app.window.bug_reports import BugReportDialog
 from app.window.dialogs import AboutDialog
 from app.window.main_window import MainWindow
 from tracker import __version__

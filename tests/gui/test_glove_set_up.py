@@ -7,13 +7,13 @@ from dataclasses import replace
 
 from app.storage.bound_gloves import BoundGlove, bound, with_bound
 from app.viewmodels.glove_setup import SetUpPhase, StillRun, WiggleRun
+from app.wizards.glove.feed import Wiggle, wiggling_wearer
 from app.words import notice_text
 from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup, simulation, with_glove
 from tests.notices import shows
 from tracker.base.notices import notice
 from tracker.calibration.wiggle import WiggleTest
 from tracker.simulation.imu import ImuSimulator
-from tracker.simulation.wiggles import Wiggle, wiggling_wearer
 
 
 def samples(part: str, t: float, seconds: float):

@@ -16,6 +16,7 @@ from app.storage.bound_gloves import BoundGlove, with_bound
 from app.storage.settings import AppSettings
 from app.viewmodels.camera_overlay import Layers, overlay
 from app.viewmodels.colours import hue_colours
+from app.wizards.glove.feed import InstructedWearer
 from tracker.glove import library
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
@@ -26,7 +27,6 @@ from tracker.session.motion import read_take
 from tracker.session.reader import SessionReader
 from tracker.session.verify import is_ok, verify
 from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove
-from tracker.simulation.wiggles import InstructedWearer
 
 BOUND = {
     11: BoundGlove("right", "vist-small", "reference-right"),

@@ -14,6 +14,7 @@ from app.viewmodels.sensors import imu_states
 from app.viewmodels.states import IDLE
 from app.wizards.camera import CameraSetup
 from app.wizards.glove.choice import SESSION
+from app.wizards.glove.feed import InstructedWearer
 from app.wizards.stereo.image_choices import image_choices
 from app.words import notice_text
 from tests.gui.gui_fakes import frame_and_blobs, models, simulation
@@ -25,7 +26,6 @@ from tracker.calibration.stereo.files import save_calibration
 from tracker.messages import Event, Tracking, Validity
 from tracker.sensors.stereo_calibration import Intrinsics
 from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove
-from tracker.simulation.wiggles import InstructedWearer
 
 IMAGES = 2
 SECONDS, FPS = 8.0, 10.0  # of the film: an ended one is not found

@@ -11,11 +11,11 @@ from PySide6.QtCore import Qt
 
 from app.engines.demo_camera import DemoChoice, demo_spec
 from app.storage.own_gloves import own_path
+from app.wizards.positions import rest_request
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup, with_glove, with_live
 from tracker.calibration.imu_positions import POSITION_NAMES
 from tracker.glove.files import parse_glove
 from tracker.simulation.demo import build
-from tracker.simulation.rest_positions import rest_request
 from tracker.simulation.scenario import Simulation
 
 IMUS = 2  # of the seven: the others take seconds to simulate and to evaluate

@@ -8,7 +8,7 @@ import h5py
 import numpy as np
 import pytest
 
-from tracker.inertial.allan import NoiseModel, allan, fit, noise_of
+from tracker.offline.imu_noise import NoiseModel, allan, fit, noise_of
 
 RATE_HZ = 100.0
 WHITE, WALK = 2e-4, 3e-5

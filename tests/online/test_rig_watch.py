@@ -8,12 +8,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from extensions.evaluation.vist.scenes import Distractors
 from tracker.engine.pipeline import Pipeline
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, Blobs, FrameResult, ImuSample, Tracking
 from tracker.online.rig_watch import SHIFTS, RigWatch, leaders, row_votes
-from tracker.simulation.extras import Distractors
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 from tracker.vision.rig import ideal_rig

@@ -8,7 +8,7 @@ import pytest
 from tracker.fusion.chain.prediction import Prediction
 from tracker.fusion.chain.stamp_noise import StampNoise, common_noise, row_velocities
 from tracker.messages import Array
-from tracker.online.stamp_jitter import StampJitter
+from tracker.online.frame_timing import StampJitter
 
 
 def stamps(fps: float, sd: float, seconds: float = 10.0, seed: int = 1) -> Array:

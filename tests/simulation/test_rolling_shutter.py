@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from extensions.evaluation.vist.scenes import Distractors
 from tests.fixtures import RESOURCES
 from tracker.glove import library
-from tracker.simulation.extras import Distractors
 from tracker.simulation.motion import Swinging
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.render import RenderParams

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
+from extensions.evaluation.vist.scenes import OBJECTS, Distractors, FingertipDevices, HeldObject
 from tests.notices import raises
 from tracker.base.errors import ConfigError
 from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
-from tracker.simulation.extras import OBJECTS, Distractors, FingertipDevices, HeldObject
 from tracker.simulation.motion import Still
 from tracker.simulation.render import Renderer
 from tracker.simulation.scene import BlobParams, Extra, SimulatedScene

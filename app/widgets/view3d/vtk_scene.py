@@ -8,8 +8,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+import numpy.typing as npt
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonCore import VTK_ID_TYPE, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkFiltersHybrid import vtkPolyDataSilhouette
 from vtkmodules.vtkRenderingCore import (
@@ -26,7 +28,6 @@ from app.widgets.view3d.orbit import VIEW_ANGLE_DEG, Orbit
 from app.widgets.view3d.raster.skin import BETWEEN_DOTS, HATCH_DARKNESS, RING
 from app.widgets.view3d.scene import BodyLook, Grid, GroundLines, Label, rgb
 from app.widgets.view3d.shapes import Lines, Shape, Surface
-from app.widgets.view3d.vtk_mesh import cells_of, polydata
 from tracker.kernels.arrays import BoolVector
 from tracker.messages import Array
 
@@ -252,3 +253,28 @@ class VtkScene:
         camera.SetViewUp(*orbit.up)
         camera.SetViewAngle(VIEW_ANGLE_DEG)
         self._renderer.ResetCameraClippingRange()
+
+
+def polydata(mesh: BodyMesh) -> vtkPolyData:
+    """A mesh as vtkPolyData; the arrays are copied."""
+    data, points = vtkPolyData(), vtkPoints()
+    points.SetData(numpy_to_vtk(np.ascontiguousarray(mesh.points), deep=True))
+    data.SetPoints(points)
+    if mesh.cells.shape[1] == 2:
+        data.SetLines(cells_of(mesh.cells))
+        return data
+    data.SetPolys(cells_of(mesh.cells))
+    data.GetPointData().SetNormals(numpy_to_vtk(np.ascontiguousarray(mesh.normals), deep=True))
+    return data
+
+
+def cells_of(cells: npt.NDArray[np.intp]) -> vtkCellArray:
+    """(M, K) corners as VTK offsets and connectivity."""
+    many, corners = cells.shape
+    offsets = np.arange(0, many * corners + 1, corners)
+    array = vtkCellArray()
+    array.SetData(
+        numpy_to_vtk(offsets, deep=True, array_type=VTK_ID_TYPE),
+        numpy_to_vtk(cells.ravel(), deep=True, array_type=VTK_ID_TYPE),
+    )
+    return array

@@ -20,7 +20,7 @@ from extensions.applications.hand import HandReader, predicted
 from extensions.applications.registry import APPLICATIONS, kind, make, titles
 from extensions.applications.runner import ApplicationRunner
 from extensions.applications.session_run import Into, difference, replay, run_into
-from extensions.applications.sources import simulated, streamed
+from extensions.applications.sources import from_json, simulated, streamed
 from extensions.applications.stage import ApplicationStage
 from extensions.applications.tests.hands import GLOVE, HAND, estimates, outcomes, words
 from tests.fixtures import ROOT
@@ -34,7 +34,6 @@ from tracker.session.decode import Decoded
 from tracker.session.reader import SessionReader
 from tracker.simulation.scripted import Key
 from tracker.streaming.payload import to_json
-from tracker.streaming.payload_read import from_json
 from tracker.streaming.publisher import Names, StreamError
 
 EXAMPLE = ROOT / "docs" / "examples" / "glovetrack-air-drawing"

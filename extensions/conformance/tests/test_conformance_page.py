@@ -98,7 +98,7 @@ def recorder_of(clock: Clock):
 @pytest.fixture
 def clock(monkeypatch) -> Clock:
     clock = Clock()
-    monkeypatch.setattr("extensions.conformance.window.guide.dialog.monotonic", clock)
+    monkeypatch.setattr("extensions.conformance.window.dialog.monotonic", clock)
     return clock
 
 

@@ -15,7 +15,7 @@ def _can_run(on: CommandContext) -> bool:
 
 def _run(on: CommandContext) -> None:
     """Open the dialog."""
-    from extensions.conformance.window.guide.dialog import ConformanceDialog
+    from extensions.conformance.window.dialog import ConformanceDialog
 
     setup = on.host.setup
     if setup is None or not _can_run(on):

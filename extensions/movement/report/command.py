@@ -30,8 +30,7 @@ def add_report(command: argparse.ArgumentParser) -> None:
 
 def report(args: argparse.Namespace) -> int:
     """Write the page and the table."""
-    from extensions.movement.report.numbers import as_json
-    from extensions.movement.report.write import write_report
+    from extensions.movement.report.write import as_json, write_report
     from tracker.session.overview import sessions_in
 
     paths = [path for path, _ in sessions_in(args.sessions)]

@@ -4,18 +4,24 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from extensions.reference.formats.bvh import CENTIMETRE, read_bvh
 from extensions.reference.formats.c3d import read_c3d
 from extensions.reference.formats.optitrack import read_optitrack
 from extensions.reference.formats.qualisys import read_qualisys
 from extensions.reference.formats.table import read_table
-from extensions.reference.formats.trc import read_trc
 from extensions.reference.formats.vicon import read_vicon
 from extensions.reference.mapping import PointMapping
-from extensions.reference.recording import UNITS, ReferenceRecording
+from extensions.reference.recording import (
+    UNITS,
+    ReferenceRecording,
+    metres,
+    number,
+    numbers,
+    triples,
+)
 from tracker.base.errors import FileError
 from tracker.base.files import read_bounded
 from tracker.base.notices import notice
+from tracker.simulation.recorded.bvh import joint_positions
 
 MOST_BYTES = 2_000_000_000
 _MILLIMETRE = UNITS["mm"]
@@ -60,3 +66,32 @@ def read_lines(path: Path) -> list[str]:
         except UnicodeDecodeError:
             continue
     return data.decode("latin-1").splitlines()
+
+
+CENTIMETRE = 0.01  # m: BVH does not name its unit; most programs write centimetres
+
+
+def read_bvh(path: Path, lines: list[str], unit: float = CENTIMETRE) -> ReferenceRecording:
+    """``unit`` in m. An end site has the name of its joint with ``.end``. Raises FileError."""
+    try:
+        joints, t, positions = joint_positions("\n".join(lines))
+    except (ValueError, IndexError, StopIteration) as error:
+        raise FileError(notice("reference.not_readable", file=path, why=str(error))) from error
+    return ReferenceRecording("BVH", tuple(j.name for j in joints), t, positions * unit).checked(
+        path
+    )
+
+
+def read_trc(path: Path, lines: list[str]) -> ReferenceRecording:
+    """``lines`` of the file. Raises FileError."""
+    cells = [line.rstrip("\r\n").split("\t") for line in lines[:6]]
+    if len(cells) < 6 or not cells[0][0].startswith("PathFileType"):
+        raise FileError(notice("reference.not_readable", file=path, why="it is not a TRC file"))
+    header = dict(zip(cells[1], cells[2], strict=False))
+    columns = {name.strip(): i for i, name in enumerate(cells[3][2:], 2) if name.strip()}
+    rows = [line.split("\t") for line in lines[5:] if line.strip()]
+    rows = [[c.strip() for c in row] for row in rows if number(row[0]) == number(row[0])]
+    table = numbers(rows, max([2, *(c + 3 for c in columns.values())]))
+    scale = metres(header.get("Units", "mm"), path)
+    points = triples(table, list(columns.values())) * scale
+    return ReferenceRecording("TRC", tuple(columns), table[:, 1], points).checked(path)

@@ -24,10 +24,10 @@ from extensions.touch.protocol import (
     touches,
 )
 from extensions.touch.result import TouchResult
-from extensions.touch.simulated.known import KnownTracker
 from extensions.touch.simulated.session import write_session
 from extensions.touch.simulated.trial import Fault, SimulatedTrial
 from extensions.touch.statistics import agreement_limits, bootstrap, sd_interval, share_interval
+from extensions.touch.tests.known import KnownTracker
 from extensions.touch.track import TipTrack
 from tracker.base.errors import ConfigError
 from tracker.cli import main

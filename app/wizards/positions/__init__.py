@@ -1,1 +1,0 @@
-"""The guided measurement of the axes of a glove's IMUs."""

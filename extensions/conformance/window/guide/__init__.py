@@ -1,1 +1,0 @@
-"""The guided conformance check: scripted gestures are recorded and judged."""
