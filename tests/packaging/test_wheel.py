@@ -18,21 +18,13 @@ from types import SimpleNamespace
 
 import pytest
 
-import tracker.engine.pipeline  # noqa: F401  (its kernels are to be known)
 from tests.packaging.local_index import build
-from tracker.kernels import parts
-from tracker.kernels.decorator import are_compiled
 
 ROOT = Path(__file__).parents[2]
 KINDS = (".toml", ".svg", ".png")
 """Resources that the program reads."""
 NOT_PUBLISHED = (".ci/", ".git")
 """Files tracked by git but not in the source distribution: the repository's own set-up."""
-USE = (
-    ("simulate", "-o", "made.mcap", "--duration", "1", "--blobs-only"),
-    ("track", "made.mcap", "-o", "tracked.mcap"),
-    ("export", "tracked.mcap", "--format", "csv", "-o", "hand.csv"),
-)
 
 
 def tracked(*folders: str) -> list[str]:
@@ -191,40 +183,3 @@ def test_no_module_is_named_in_a_string() -> None:
     folders = ("app", "extensions", "glovetrack", "tracker", "resources")
     files = [ROOT / n for n in tracked(*folders) if n.endswith(".py") and "/tests/" not in n]
     assert {path.name: names for path in files if (names := spelled(path))} == {}
-
-
-def test_compiled_kernels_are_included(tmp_path: Path) -> None:
-    """Found by their installed names, and compiled from the same source; a session is created,
-    tracked and exported with them."""
-    if not parts.built() or not are_compiled():
-        pytest.skip("the library of kernels was not built here")
-    build = "import sys; sys.path.insert(0, 'packaging'); import backend; "
-    build += "from pathlib import Path; target = Path(sys.argv[1]); "
-    build += "backend.stage(Path.cwd(), target); backend.add_compiled(Path.cwd(), target); "
-    build += "backend.add_metadata(target)"
-    subprocess.run([sys.executable, "-c", build, str(tmp_path)], cwd=ROOT, check=True)
-    code = (
-        "import glovetrack.tracker.engine.pipeline; from glovetrack.tracker import kernels; "
-        "from glovetrack.tracker.kernels import decorator; "
-        "assert kernels.are_compiled(); print(len(decorator._library()._entries))"
-    )
-    run = subprocess.run(
-        [sys.executable, "-c", code],
-        cwd=tmp_path,
-        env=os.environ | {"PYTHONPATH": str(tmp_path)},
-        capture_output=True,
-        text=True,
-    )
-    assert run.returncode == 0, run.stderr
-    assert int(run.stdout) > 40
-    assert "has_ext_modules" in (tmp_path / "setup.py").read_text()
-    for words in USE:
-        run = subprocess.run(
-            [sys.executable, "-m", "glovetrack.app", *words],
-            cwd=tmp_path,
-            env=os.environ | {"PYTHONPATH": str(tmp_path)},
-            capture_output=True,
-            text=True,
-        )
-        assert run.returncode == 0, run.stderr
-    assert (tmp_path / "hand.csv").stat().st_size > 1000
