@@ -189,6 +189,27 @@ def test_fingers_under_the_palm_are_inferred_where_their_neighbour_is_extended(
         assert off < min(3.5 * sd, scene.point(before, name)[0])
 
 
+def test_an_image_of_a_fast_camera_is_evaluated_for_one_finger(
+    hand: HandModel, glove: GloveModel
+) -> None:
+    """Which limits what an image costs; both are still evaluated as often as with a slow camera."""
+    scene = Scene(hand, glove, {"ring": (0.0, 0.0), "little": (30.0, 0.0)})
+    left, right = (scene.image(side, 0.0) for side in (False, True))
+    times = []
+    for _ in range(31):
+        scene.state.t += 1 / 60
+        frame = BlobFrame(scene.state.t, scene.state.t, (), left, right)
+        scene.fingers.image(scene.state, frame, CAMERA)
+        times.append(scene.fingers.saved.fitted_at)
+    changes = np.diff(np.array(times), axis=0) > 0.0
+    assert changes.sum(axis=1).max() == 1
+    assert changes.sum(axis=0).min() >= 4  # in half a second
+    found = scene.estimate()
+    for name in TIPS:
+        off, sd, _ = scene.point(found, name)
+        assert off < 0.012 and off < 3 * sd
+
+
 def test_a_saved_state_continues_identically(hand: HandModel, glove: GloveModel) -> None:
     scene = Scene(hand, glove, {"ring": (0.0, 0.0), "little": (40.0, 50.0)})
     scene.look()

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tracker.fusion.chain import finger_grid
 from tracker.glove.library import texts
 from tracker.kernels import library, parts
 from tracker.simulation import flicker, render
@@ -94,32 +95,32 @@ def of_cloth() -> dict[str, tuple[Any, ...]]:
     cloth = ClothMap(
         rng.integers(0, 2**62, (60, 80)), rng.integers(0, 2, (60, 80)).astype(np.uint8)
     )
-    edge = np.linspace(20.0, 400.0, finger_cloth.SAMPLES // finger_cloth.EACH + 1)
-    nodes = np.stack(np.meshgrid(edge, edge), axis=-1) + rng.normal(0, 3, (len(edge), len(edge), 2))
-    capsules = np.column_stack([rng.uniform(0, 128, (9, 4)), rng.uniform(3, 9, 9)])
-    classes = finger_cloth.cloth_window(cloth, nodes)
-    explained = finger_cloth.covered(capsules, finger_cloth.SAMPLES)
-    evidence = finger_cloth.finger_evidence(classes, explained, 5.0, 2.5)
+    rig = ideal_rig()
+    window = np.array([0.0, rig.cx - 60.0, rig.cy - 100.0, 2.0])
+    seen = cloth, window, rig.left.optics
+    ends = rng.normal((0.0, 0.0, 0.3), 0.04, (9, 2, 3))
+    capsules = ends, rng.uniform(0.003, 0.009, 9), rig.intrinsics, window
+    classes, known = finger_cloth.cloth_window(*seen), finger_cloth.covered(*capsules)
+    explained = classes, known, 0.5 * known, 5.0, 2.5
+    evidence = finger_cloth.finger_evidence(*explained)
     finger = finger_cloth.Finger(
         np.array([0.0, 0.0, 0.3]), np.eye(3), np.eye(3), np.full(3, 0.03), np.full(3, 0.008), 0.67
     )
-    rig, postures = ideal_rig().intrinsics, rng.normal(0, (0.003, 0.003, 0.5, 0.2, 0.5), (60, 5))
-    window = np.array([[0.0, rig.cx - 60.0, rig.cy - 100.0, 2.0]])
+    images = finger_cloth.FingerImages(finger, rig.intrinsics, window[None], evidence[None])
+    postures = rng.normal(0, (0.003, 0.003, 0.5, 0.2, 0.5), (60, 5))
+    before = finger_grid.prior(postures[0], finger_grid.INDEPENDENT)
     return {
-        "tracker.vision.finger_cloth.cloth_window": (cloth, nodes),
-        "tracker.vision.finger_cloth.covered": (capsules, finger_cloth.SAMPLES),
-        "tracker.vision.finger_cloth.finger_evidence": (classes, explained, 5.0, 2.5),
-        "tracker.vision.finger_cloth.finger_likelihoods": (
-            postures,
-            finger,
-            rig,
-            window,
-            evidence[None],
-        ),
+        "tracker.vision.finger_cloth.cloth_window": seen,
+        "tracker.vision.finger_cloth.covered": capsules,
+        "tracker.vision.finger_cloth.finger_evidence": explained,
+        "tracker.vision.finger_cloth.finger_likelihoods": (postures, images),
+        "tracker.fusion.chain.finger_grid.prior": (postures[0], finger_grid.INDEPENDENT),
+        "tracker.fusion.chain.finger_grid.aged": (before, before[::-1].copy(), 0.1),
+        "tracker.fusion.chain.finger_grid.fitted": (before, postures[0], images, 1.0),
     }
 
 
-@pytest.mark.parametrize("part", ["tracker_simulation", "tracker_vision"])
+@pytest.mark.parametrize("part", ["tracker_fusion_chain", "tracker_simulation", "tracker_vision"])
 def test_wide_kernels_give_the_same_results(calls: dict[str, tuple[Any, ...]], part: str) -> None:
     if part + parts.WIDE not in parts.built() or not dispatch.runs_wide():
         pytest.skip("this processor runs no wide parts")

@@ -6,18 +6,20 @@ import pytest
 from tests.cloth_masks import cloth_of
 from tracker.vision.cloth import cloth_map
 from tracker.vision.finger_cloth import (
-    EACH,
+    SAMPLES,
     Finger,
+    FingerImages,
     cloth_window,
     covered,
     finger_evidence,
     finger_joints,
     finger_likelihoods,
+    separates,
 )
 from tracker.vision.rig import ideal_rig
-from tracker.vision.tip_scan import INSIDE, OUTSIDE
+from tracker.vision.tip_scan import INSIDE, NOTHING, OUTSIDE
 
-SIDE, PITCH = 96, 3.0  # samples, and px between two
+PITCH = 3.0  # px between two samples
 AWAY = 0.4  # m from the camera
 TRUE = np.array([0.0, 0.0, 0.5, 0.1, 0.9])
 
@@ -29,21 +31,34 @@ def pointing_left() -> Finger:
     return Finger(np.array([0.02, 0.0, AWAY]), R, R, length, radius, 0.67)
 
 
-def test_a_window_is_the_map_between_its_nodes() -> None:
-    mask = np.random.default_rng(1).random((40, 48)) < 0.5
-    steps = np.arange(3.0) * EACH * 2
-    nodes = np.stack(np.meshgrid(16.0 + steps, 8.0 + steps), axis=-1)
-    found = cloth_window(cloth_map(cloth_of(mask)), nodes)
+def test_a_window_is_the_map_from_its_first_sample_on() -> None:
+    mask = np.random.default_rng(1).random((120, 128)) < 0.5
     # Samples are 2 px apart, as those of the map: the sample (0, 0) is the map's (4, 8).
-    assert np.array_equal(found == INSIDE, mask[4 : 4 + 2 * EACH, 8 : 8 + 2 * EACH])
-    assert np.array_equal(found == OUTSIDE, ~mask[4 : 4 + 2 * EACH, 8 : 8 + 2 * EACH])
+    window = np.array([0.0, 16.0, 8.0, 2.0])
+    found = cloth_window(cloth_map(cloth_of(mask)), window, ideal_rig().left.optics)
+    assert np.array_equal(found == INSIDE, mask[4 : 4 + SAMPLES, 8 : 8 + SAMPLES])
+    assert np.array_equal(found == OUTSIDE, ~mask[4 : 4 + SAMPLES, 8 : 8 + SAMPLES])
 
 
 def test_a_capsule_covers_what_is_within_its_radius() -> None:
-    p = covered(np.array([[20.0, 30.0, 50.0, 30.0, 8.0]]), 64)
+    rig = ideal_rig()
+    at = np.array([[20.0, 30.0], [50.0, 30.0]]) * PITCH  # px: samples 20 and 50 of row 30
+    ends = np.column_stack([(at - (rig.cx, rig.cy)) * AWAY / (rig.fx, rig.fy), (AWAY, AWAY)])
+    radius = np.array([8.0 * PITCH * AWAY / rig.fx])
+    p = covered(ends[None], radius, rig.intrinsics, np.array([0.0, 0.0, 0.0, PITCH]))
     assert p[30, 20:51].min() > 0.95
     assert p[38, 35] == pytest.approx(0.5, abs=0.01)  # on the outline
     assert p[30 + 13, 35] == 0.0 and p[30, 5] == 0.0
+
+
+def test_cloth_separates_where_it_is_on_the_hand_only() -> None:
+    known = np.zeros((SAMPLES, SAMPLES))
+    known[20:50, 20:50] = 0.97
+    worn = np.where(known > 0.5, INSIDE, OUTSIDE).astype(np.uint8)
+    assert separates(worn, known)
+    assert not separates(np.full_like(worn, INSIDE), known)
+    assert not separates(np.full_like(worn, OUTSIDE), known)
+    assert not separates(np.full_like(worn, NOTHING), known)
 
 
 def test_the_true_posture_explains_the_cloth_best() -> None:
@@ -51,26 +66,27 @@ def test_the_true_posture_explains_the_cloth_best() -> None:
     windows, maps = [], []
     for shift in (0.0, rig.baseline):
         u = rig.cx - rig.fx * shift / AWAY
-        window = np.array([shift, u - SIDE / 2 * PITCH, rig.cy - SIDE / 2 * PITCH, PITCH])
+        window = np.array([shift, u - SAMPLES / 2 * PITCH, rig.cy - SAMPLES / 2 * PITCH, PITCH])
         joints = finger_joints(TRUE[None], finger)[0]
         joints[3] += finger.radius[2] / finger.length[2] * (joints[2] - joints[3])  # a round end
-        uv = (rig.project(joints, shift > 0) - window[1:3]) / PITCH
-        r = finger.radius * rig.fx / AWAY / PITCH
-        drawn = covered(np.column_stack([uv[:-1], uv[1:], r]), SIDE) > 0.5
+        ends = np.stack([joints[:-1], joints[1:]], axis=1)
+        drawn = covered(ends, finger.radius, rig.intrinsics, window) > 0.5
         classes = np.where(drawn, INSIDE, OUTSIDE).astype(np.uint8)
-        free, radius = np.zeros(drawn.shape), float(r.mean())
-        maps.append(finger_evidence(classes, free, radius, PITCH**2))
+        free, radius = np.zeros(drawn.shape), float(finger.radius.mean()) * rig.fx / AWAY / PITCH
+        maps.append(finger_evidence(classes, free, free, radius, PITCH**2))
         windows.append(window)
     near = TRUE + np.array([0, 0, 1, 1, 1]) * np.random.default_rng(2).normal(0, 0.5, (300, 5))
     postures = np.concatenate([TRUE[None], near])
-    values = finger_likelihoods(postures, finger, rig.intrinsics, np.array(windows), np.array(maps))
+    images = FingerImages(finger, rig.intrinsics, np.array(windows), np.array(maps))
+    values = finger_likelihoods(postures, images)
     tips = finger_joints(near, finger)[:, 3]
     off = np.linalg.norm(tips - finger_joints(TRUE[None], finger)[0, 3], axis=1)
     assert values[0] > 10.0  # of a finger in plain sight, to none
     assert values[1:][off > 0.02].max() < values[0] - 2.0
+    # The rim alone: what is left without the inside.
+    rims = finger_likelihoods(TRUE[None], images._replace(inside=0.0))
+    assert 0.0 < rims[0] < values[0]
     # Something else that explains all of the cloth leaves nothing to the finger.
-    hidden = finger_evidence(classes, np.full(classes.shape, 0.97), radius, PITCH**2)
-    nothing = finger_likelihoods(
-        TRUE[None], finger, rig.intrinsics, windows[1][None], np.array([hidden])
-    )
-    assert abs(nothing[0]) < 0.1 * values[0]
+    hidden = finger_evidence(classes, np.full(classes.shape, 0.97), free, radius, PITCH**2)
+    one = images._replace(windows=windows[1][None], maps=np.array([hidden]))
+    assert abs(finger_likelihoods(TRUE[None], one)[0]) < 0.1 * values[0]

@@ -24,11 +24,14 @@ from tracker.kernels.arrays import (
     Written,
 )
 from tracker.vision.cloth import ClothMap
-from tracker.vision.rig import NEAREST, StereoIntrinsics
-from tracker.vision.tip_scan import INSIDE, NOTHING, cloth_at
+from tracker.vision.rig import NEAREST, Optics, StereoIntrinsics, raw_pixel
+from tracker.vision.tip_scan import INSIDE, NOTHING, OUTSIDE, cloth_at
 
 SAMPLES = 96  # along a side of a window
 SPACING = 0.002  # m on the hand between two samples
+COVERED, UNCOVERED = 0.95, 0.02  # probabilities of samples that are on the hand, and next to it
+LEAST_ON_HAND, MOST_BESIDE = 0.7, 0.45  # shares of these samples with the glove's colours
+LEAST_SAMPLES = 200  # of each
 EACH = 16  # samples between two nodes of a window
 SOFT = 1.25  # samples, standard deviation of the outline of the parts that are known
 SURE_MOST = 0.97  # probability that a known part covers a sample, maximum
@@ -61,15 +64,38 @@ class Finger(NamedTuple):
     last: float
 
 
+class FingerImages(NamedTuple):
+    """A finger as cameras see it: windows (c, 4) have the camera's shift (m), the first sample (u,
+    v) and the distance between samples (rectified px); maps (c, 2, n + 2, n + 2) are those of
+    `finger_evidence`; inside is the weight of the first of them."""
+
+    finger: Finger
+    rig: StereoIntrinsics
+    windows: Matrix
+    maps: Float32Stack4
+    inside: float = 1.0
+
+
+@kernel
+def _raw_nodes(window: Vector, camera: Optics) -> Stack:
+    """(m, m, 2) raw px of the nodes of a window."""
+    count = SAMPLES // EACH + 1
+    out = np.empty((count, count, 2))
+    for j in range(count):
+        for i in range(count):
+            u, v = window[1] + i * EACH * window[3], window[2] + j * EACH * window[3]
+            out[j, i] = raw_pixel(u, v, camera)
+    return out
+
+
 @kernel(wide=True)
-def cloth_window(cloth: ClothMap, nodes: Stack) -> ByteMatrix:
-    """The class (`tip_scan.INSIDE`, …) of each sample, (n, n), between nodes (m, m, 2), which are
-    raw px."""
-    side = EACH * (len(nodes) - 1)
-    out = np.empty((side, side), np.uint8)
-    for y in range(side):
+def cloth_window(cloth: ClothMap, window: Vector, camera: Optics) -> ByteMatrix:
+    """The class (`tip_scan.INSIDE`, …) of each sample, (n, n), of a window (`FingerImages`)."""
+    nodes = _raw_nodes(window, camera)
+    out = np.empty((SAMPLES, SAMPLES), np.uint8)
+    for y in range(SAMPLES):
         j, b = y // EACH, (y % EACH) / EACH
-        for x in range(side):
+        for x in range(SAMPLES):
             i, a = x // EACH, (x % EACH) / EACH
             u = (1 - b) * ((1 - a) * nodes[j, i, 0] + a * nodes[j, i + 1, 0])
             u += b * ((1 - a) * nodes[j + 1, i, 0] + a * nodes[j + 1, i + 1, 0])
@@ -79,32 +105,74 @@ def cloth_window(cloth: ClothMap, nodes: Stack) -> ByteMatrix:
     return out
 
 
-@kernel(wide=True)
-def covered(capsules: Matrix, side: int) -> Matrix:
-    """(side, side) probability that one of the capsules (k, 5) covers a sample; a capsule has two
-    ends u, v and a radius, in samples."""
-    away = np.full((side, side), 3 * SOFT)
-    for u0, v0, u1, v1, r in capsules:
-        m, du, dv = r + 3 * SOFT, u1 - u0, v1 - v0
-        length2 = du * du + dv * dv + 1e-9
-        for y in range(max(int(min(v0, v1) - m), 0), min(int(max(v0, v1) + m) + 2, side)):
-            for x in range(max(int(min(u0, u1) - m), 0), min(int(max(u0, u1) + m) + 2, side)):
-                t = min(max(((x - u0) * du + (y - v0) * dv) / length2, 0.0), 1.0)
-                a, b = x - u0 - t * du, y - v0 - t * dv
-                d = np.sqrt(a * a + b * b) - r
-                away[y, x] = min(away[y, x], d)
-    out = np.zeros((side, side))
-    for y in range(side):
-        for x in range(side):
-            if away[y, x] < 3 * SOFT:
-                out[y, x] = min(1.0 / (1.0 + np.exp(1.7 * away[y, x] / SOFT)), SURE_MOST)
+@kernel(error_model="numpy")
+def _in_window(ends: Stack, radius: Vector, rig: StereoIntrinsics, window: Vector) -> Matrix:
+    """(k, 5) capsules in the samples of a window, from ends (k, 2, 3) m in C and radii (k,) m."""
+    out, f = np.empty((len(ends), 5)), rig.fx / window[3]
+    for k in range(len(ends)):
+        for i in range(2):
+            x, y, z = ends[k, i]
+            out[k, 2 * i] = f * (x - window[0]) / z + (rig.cx - window[1]) / window[3]
+            out[k, 2 * i + 1] = rig.fy / window[3] * y / z + (rig.cy - window[2]) / window[3]
+        out[k, 4] = f * radius[k] / (0.5 * (ends[k, 0, 2] + ends[k, 1, 2]))
     return out
 
 
 @kernel(wide=True)
+def covered(ends: Stack, radius: Vector, rig: StereoIntrinsics, window: Vector) -> Matrix:
+    """(n, n) probability that one of the capsules with ends (k, 2, 3) m in C and radii (k,) m
+    covers a sample of a window (`FingerImages`)."""
+    return _covered(_in_window(ends, radius, rig, window))
+
+
+@kernel
+def _covered(capsules: Matrix) -> Matrix:
+    """As `covered`; a capsule has two ends u, v and a radius, in samples."""
+    side, far = SAMPLES, 3 * SOFT
+    away = np.full((side, side), far)
+    for u0, v0, u1, v1, r in capsules:
+        m, du, dv = r + far, u1 - u0, v1 - v0
+        along_u, along_v = du / (du * du + dv * dv + 1e-9), dv / (du * du + dv * dv + 1e-9)
+        first, end = max(int(min(u0, u1) - m), 0), min(int(max(u0, u1) + m) + 2, side)
+        for y in range(max(int(min(v0, v1) - m), 0), min(int(max(v0, v1) + m) + 2, side)):
+            for x in range(first, end):
+                t = (x - u0) * along_u + (y - v0) * along_v
+                t = 0.0 if t < 0.0 else (1.0 if t > 1.0 else t)
+                a, b = x - u0 - t * du, y - v0 - t * dv
+                d = np.sqrt(a * a + b * b) - r
+                away[y, x] = d if d < away[y, x] else away[y, x]
+    out = np.zeros((side, side))
+    for y in range(side):
+        for x in range(side):
+            if away[y, x] < -far:
+                out[y, x] = SURE_MOST
+            elif away[y, x] < far:
+                out[y, x] = min(1.0 / (1.0 + np.exp(1.7 * away[y, x] / SOFT)), SURE_MOST)
+    return out
+
+
+@kernel
+def separates(classes: ByteMatrix, known: Matrix) -> bool:
+    """Whether cloth differs from what is next to the hand: classes (n, n) of a window, of whose
+    samples ``known`` (n, n) is `covered`."""
+    on, on_cloth, beside, beside_cloth = 0, 0, 0, 0
+    for y in range(len(classes)):
+        for x in range(len(classes)):
+            if classes[y, x] != NOTHING:
+                is_cloth = classes[y, x] == INSIDE
+                if known[y, x] > COVERED:
+                    on, on_cloth = on + 1, on_cloth + is_cloth
+                elif known[y, x] < UNCOVERED:
+                    beside, beside_cloth = beside + 1, beside_cloth + is_cloth
+    if min(on, beside) < LEAST_SAMPLES:
+        return False
+    return on_cloth >= LEAST_ON_HAND * on and beside_cloth <= MOST_BESIDE * beside
+
+
+@kernel(wide=True)
 def _disc_means(weight: Matrix, radius: float, out: Written[Float32Matrix]) -> None:
-    """Puts the mean of ``weight`` (n, n) in a disc about each sample into ``out`` (n, n); it is 0
-    beyond the edges."""
+    """Puts the mean of ``weight`` (n, n) in a disc about each sample into ``out`` (n + 2, n + 2),
+    inside a border of one sample; it is 0 beyond the edges."""
     side, reach = len(weight), int(radius)
     sums = np.zeros((side + 2 * reach, side + 2 * reach + 1))
     for y in range(side):
@@ -124,35 +192,33 @@ def _disc_means(weight: Matrix, radius: float, out: Written[Float32Matrix]) -> N
                 to[x] += end[x] - first[x]
     for y in range(side):
         for x in range(side):
-            out[y, x] = means[y, x] / count
+            out[y + 1, x + 1] = means[y, x] / count
 
 
 @kernel(wide=True)
 def finger_evidence(
-    classes: ByteMatrix, explained: Matrix, radius: float, area: float
+    classes: ByteMatrix, known: Matrix, others: Matrix, radius: float, area: float
 ) -> Float32Stack:
-    """(2, n, n) ln of the likelihood ratio, per sample, of a finger's inside and of its rim at each
-    position, for samples of ``area`` px² that are ``explained`` (n, n) otherwise."""
+    """(2, n + 2, n + 2) ln of the likelihood ratio, per sample, of a finger's inside and of its rim
+    at each position, for samples of ``area`` px² that are explained by ``known`` parts
+    or by ``others``, (n, n) probabilities each; 0 in a border of one sample."""
     side = len(classes)
-    inside, rim = np.zeros((side, side)), np.zeros((side, side))
+    inside, rim = np.empty((side, side)), np.empty((side, side))
     share = area / PIXELS_ALIKE
-    of_cloth, of_others = np.empty(LEVELS + 1), np.empty(LEVELS + 1)
+    by_level, by_class = np.zeros((3, LEVELS + 1)), np.zeros(3)
     for k in range(LEVELS + 1):
         e = k / LEVELS
         cloth = CLOTH_COVERED * e + CLOTH_UNCOVERED * (1.0 - e)
-        of_cloth[k] = share * np.log(CLOTH_COVERED / cloth)
-        of_others[k] = share * np.log((1.0 - CLOTH_COVERED) / (1.0 - cloth))
+        by_level[INSIDE, k] = share * np.log(CLOTH_COVERED / cloth)
+        by_level[OUTSIDE, k] = share * np.log((1.0 - CLOTH_COVERED) / (1.0 - cloth))
+    by_class[INSIDE], by_class[OUTSIDE] = share * CLOTH_IN_RIM, share * NONE_IN_RIM
     for y in range(side):
         for x in range(side):
-            e = explained[y, x]
-            level = int(e * LEVELS + 0.5)
-            if classes[y, x] == INSIDE:
-                inside[y, x] = of_cloth[level]
-                rim[y, x] = share * CLOTH_IN_RIM * (1.0 - e)
-            elif classes[y, x] != NOTHING:
-                inside[y, x] = of_others[level]
-                rim[y, x] = share * NONE_IN_RIM * (1.0 - e)
-    out = np.empty((2, side, side), np.float32)
+            free = (1.0 - known[y, x]) * (1.0 - others[y, x])
+            level = np.uint64(int((1.0 - free) * LEVELS + 0.5))
+            inside[y, x] = by_level[classes[y, x], level]
+            rim[y, x] = by_class[classes[y, x]] * free
+    out = np.zeros((2, side + 2, side + 2), np.float32)
     _disc_means(inside, 0.5 * radius + 0.3, out[0])
     _disc_means(rim, 0.35 * radius + 0.3, out[1])
     return out
@@ -187,13 +253,10 @@ def finger_joints(postures: Matrix, finger: Finger) -> Stack:
 
 @kernel
 def _value(map_: Float32Matrix, u: float, v: float) -> float:
-    """Of the nearest sample, 0 outside."""
-    if u < -0.5 or v < -0.5:
-        return 0.0
-    x, y = int(u + 0.5), int(v + 0.5)
-    if x >= map_.shape[1] or y >= map_.shape[0]:
-        return 0.0
-    return float(map_[y, x])
+    """Of the nearest sample, 0 outside; the map has a border of one sample."""
+    x = min(max(int(u + 1.5), 0), map_.shape[1] - 1)
+    y = min(max(int(v + 1.5), 0), map_.shape[0] - 1)
+    return np.float64(map_[np.uint64(y), np.uint64(x)])
 
 
 @kernel
@@ -208,18 +271,29 @@ def _end_rim(rim: Float32Matrix, end: tuple[float, float, float, float], r: floa
 
 
 @kernel
-def _at_sides(maps: Float32Stack, at: tuple[float, float], across: tuple[float, float]) -> float:
-    """Mean of the inside on both sides of a position, and the weighted rim there; ``across`` is one
-    radius."""
-    (u, v), (x, y) = at, across
-    inside, rim = maps[0], maps[1]
-    total = _value(inside, u + LINE * x, v + LINE * y) + _value(inside, u - LINE * x, v - LINE * y)
-    edges = _value(rim, u + RIM * x, v + RIM * y) + _value(rim, u - RIM * x, v - RIM * y)
-    return 0.5 * total + RIM_WEIGHT * edges
+def _inside(
+    map_: Float32Matrix, at: tuple[float, float], across: tuple[float, float], weight: float
+) -> float:
+    """Mean on both sides of a position, with its weight."""
+    (u, v), x, y = at, LINE * across[0], LINE * across[1]
+    return 0.5 * weight * (_value(map_, u + x, v + y) + _value(map_, u - x, v - y))
 
 
 @kernel
-def _first_in_view(ends: Matrix, maps: Float32Stack, near: Written[Matrix]) -> float:
+def _at_sides(
+    maps: Float32Stack, at: tuple[float, float], across: tuple[float, float], inside: float
+) -> float:
+    """Mean of the inside on both sides of a position, with its weight, and the weighted rim there;
+    ``across`` is one radius."""
+    (u, v), (x, y) = at, across
+    total = _inside(maps[0], at, across, inside)
+    rim = maps[1]
+    edges = _value(rim, u + RIM * x, v + RIM * y) + _value(rim, u - RIM * x, v - RIM * y)
+    return total + RIM_WEIGHT * edges
+
+
+@kernel
+def _first_in_view(ends: Matrix, maps: Float32Stack, near: Written[Matrix], inside: float) -> float:
     """As `_others_in_view`, of the first segment; puts its positions into ``near`` (n, 2)."""
     du, dv, r = ends[1, 0] - ends[0, 0], ends[1, 1] - ends[0, 1], ends[0, 2]
     length, total = np.sqrt(du * du + dv * dv) + 1e-6, 0.0
@@ -229,15 +303,14 @@ def _first_in_view(ends: Matrix, maps: Float32Stack, near: Written[Matrix]) -> f
         u, v = ends[0, 0] + t * du, ends[0, 1] + t * dv
         near[q, 0], near[q, 1] = u, v
         if q >= RIM_FROM:
-            total += _at_sides(maps, (u, v), (x, y))
+            total += _at_sides(maps, (u, v), (x, y), inside)
         else:
-            total += 0.5 * _value(maps[0], u + LINE * x, v + LINE * y)
-            total += 0.5 * _value(maps[0], u - LINE * x, v - LINE * y)
+            total += _inside(maps[0], (u, v), (x, y), inside)
     return 2 * r * length / ALONG[0] * total
 
 
 @kernel
-def _others_in_view(ends: Matrix, maps: Float32Stack, near: Matrix) -> float:
+def _others_in_view(ends: Matrix, maps: Float32Stack, near: Matrix, inside: float) -> float:
     """ln of the likelihood ratio in one window of the second and third segment: ends (6, 3) are u,
     v and radius, in samples, of both ends of each segment; near (n, 2) are positions on the first
     segment."""
@@ -261,7 +334,7 @@ def _others_in_view(ends: Matrix, maps: Float32Stack, near: Matrix) -> float:
                     least = min(least, x * x + y * y)
                 if least < whole:
                     weight *= np.sqrt(least / whole)
-            total += weight * _at_sides(maps, (u, v), (-ev * r, eu * r))
+            total += weight * _at_sides(maps, (u, v), (-ev * r, eu * r), inside)
     return total
 
 
@@ -283,14 +356,10 @@ def _put_ends(
 
 
 @kernel(wide=True, error_model="numpy")
-def finger_likelihoods(
-    postures: Matrix, finger: Finger, rig: StereoIntrinsics, windows: Matrix, maps: Float32Stack4
-) -> Vector:
-    """(n,) ln of the likelihood ratio of a finger in each of the postures (n, 5) to none.
-
-    windows (c, 4) have the camera's shift (m), the first sample (u, v) and the distance between
-    samples (rectified px); maps (c, 2, n, n) are those of `finger_evidence`.
-    """
+def finger_likelihoods(postures: Matrix, images: FingerImages) -> Vector:
+    """(n,) ln of the likelihood ratio (eq. 70) of a finger in each of the postures (n, 5) to
+    none."""
+    finger, windows, maps = images.finger, images.windows, images.maps
     out, joints, ends = np.zeros(len(postures)), np.empty((4, 3)), np.empty((6, 3))
     near, first = np.empty((len(windows), ALONG[0], 2)), np.zeros(len(windows))
     short = 0.5 * finger.radius[2] / finger.length[2]
@@ -300,14 +369,14 @@ def finger_likelihoods(
         if min(min(joints[0, 2], joints[1, 2]), min(joints[2, 2], joints[3, 2])) < 3 * NEAREST:
             continue
         is_new = before < 0
-        for i in range(3):  # the last capsule ends before the fingertip
-            joints[3, i] += short * (joints[2, i] - joints[3, i])
         for i in range(BEND):
             is_new = is_new or postures[h, i] != postures[before, i]
+        for i in range(3):  # the last capsule ends before the fingertip
+            joints[3, i] += short * (joints[2, i] - joints[3, i])
         before = h
         for c in range(len(windows)):
-            _put_ends(ends, joints, finger, rig, windows[c])
+            _put_ends(ends, joints, finger, images.rig, windows[c])
             if is_new:
-                first[c] = _first_in_view(ends, maps[c], near[c])
-            out[h] += first[c] + _others_in_view(ends, maps[c], near[c])
+                first[c] = _first_in_view(ends, maps[c], near[c], images.inside)
+            out[h] += first[c] + _others_in_view(ends, maps[c], near[c], images.inside)
     return out

@@ -7,7 +7,7 @@ that the sensed parts of the hand leave unexplained (`tracker.vision.finger_clot
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -16,13 +16,20 @@ from numpy.typing import NDArray
 from tracker.base.records import record
 from tracker.fusion.chain.finger_grid import (
     GRID,
+    INDEPENDENT,
     FingerFit,
     aged,
     fit,
     prior,
     variance_about,
 )
-from tracker.fusion.chain.finger_view import FingerView, KnownParts, finger_fit, finger_views
+from tracker.fusion.chain.finger_view import (
+    FingerView,
+    KnownParts,
+    finger_images,
+    finger_views,
+    rim_part,
+)
 from tracker.fusion.chain.kinematics import segment_positions
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.shown import ShownHand
@@ -35,7 +42,8 @@ from tracker.messages import Array, BlobFrame, CameraPose
 from tracker.vision.finger_cloth import ASIDE, BEND, FLEXION, Finger, finger_joints
 from tracker.vision.rig import StereoRig
 
-APART = 0.09  # s between two evaluated images
+APART = 0.09  # s between two evaluated images of a finger
+SPARSE = 0.05  # s between images from which all fingers are evaluated in the same image
 INDEPENDENT_AFTER = 0.05  # s after which outlines are independent of each other
 LASTS = 0.3  # s after the last evaluated image for which fingers are shown as measured
 BODY_SD = 0.007  # m per axis, of what the grid does not contain: lengths, the hand's own pose
@@ -57,6 +65,7 @@ REFUTED = -1.5  # ln of the likelihood ratio of following the neighbour to not f
         "evidence": "d",
         "follows": "d",
         "origin": "d 3",
+        "fitted_at": "e",
     },
 )
 @dataclass(eq=False)
@@ -65,7 +74,8 @@ class ClothFingersSavedState:
     the most probable one (d, 5), and the sd (d, 3) rad of flexion, abduction and bend; the variance
     (d, 4) m² per axis of its joints and its tip; the evidence and follows (d,), ln of likelihood
     ratios (`FingerFit`); the origin (d, 3) of the first segment in its parent's nominal B, m; the
-    time of the last evaluated image, s, and whether it is shown."""
+    time of the last evaluated image, s, and whether it is shown; the time of the last evaluated
+    image of each finger, (d,) s, and that of the last image."""
 
     posterior: Array = field(default_factory=lambda: np.zeros((0, len(GRID))))
     posture: Array = field(default_factory=lambda: np.zeros((0, 5)))
@@ -77,6 +87,8 @@ class ClothFingersSavedState:
     origin: Array = field(default_factory=lambda: np.zeros((0, 3)))
     t: float = -np.inf
     is_shown: bool = False
+    fitted_at: Array = field(default_factory=lambda: np.zeros(0))
+    image_t: float = -np.inf
 
     @property
     def is_fitted(self) -> NDArray[np.bool_]:
@@ -85,6 +97,12 @@ class ClothFingersSavedState:
         refuted = (self.follows < REFUTED) & (self.evidence > SURROUNDED)
         return np.asarray((self.evidence >= HIDDEN_BELOW) | refuted)
 
+
+PER_FINGER = (
+    "posterior", "posture", "best", "angle_sd", "joint_variance", "evidence", "follows", "origin",
+    "fitted_at",
+)  # fmt: skip
+"""Arrays of the state."""
 
 _Digit = tuple[int, int, int]  # segments of a finger without sensors
 
@@ -119,6 +137,9 @@ class ClothFingers:
 
     def restore(self, saved: ClothFingersSavedState) -> None:
         """Continue from a saved state, which is not copied."""
+        d = len(saved.posterior)
+        if len(saved.fitted_at) != d:  # of an earlier version
+            saved = replace(saved, fitted_at=np.full(d, saved.t))
         self.saved = saved
         self._show()
 
@@ -141,7 +162,7 @@ class ClothFingers:
         rows = tuple(self._rows)
         self._shown.show_fingers(
             MeasuredFingers(
-                now.t,
+                now.fitted_at,
                 rows,
                 _angles(now.posture),
                 now.origin,
@@ -156,9 +177,10 @@ class ClothFingers:
 
     def image(self, state: ChainState, frame: BlobFrame, pose: CameraPose) -> None:
         """Fits the fingers to the cloth around a hand that was just corrected."""
-        dt = state.t - self.saved.t
+        due = self._due(state.t)
+        self.saved = replace(self.saved, image_t=state.t)
         cloths = [b.cloth if b is not None else None for b in (frame.left, frame.right)]
-        if not self.digits or 0.0 <= dt < APART:
+        if not due:
             return
         if all(c is None for c in cloths):
             self.no_image(state.t)
@@ -171,8 +193,20 @@ class ClothFingers:
         if not views:
             self.no_image(state.t)
             return
-        self._fit(hand, fingers, views, dt if dt >= 0.0 else np.inf, state.t)
+        self._fit(hand, fingers, views, due, state.t)
         self._show()
+
+    def _due(self, t: float) -> list[int]:
+        """The fingers to evaluate in an image at ``t``: one, which limits what an image costs, or
+        all where images are sparse."""
+        then = self.saved.fitted_at
+        if not len(then):
+            return list(range(len(self.digits)))
+        due = [k for k, before in enumerate(then) if not 0.0 <= t - before < APART]
+        if 0.0 <= t - self.saved.image_t < SPARSE:
+            due.sort(key=lambda k: float(then[k]))
+            return due[:1]
+        return due
 
     def _complete(self, state: ChainState) -> _Hand:
         active = state.R_GB, segment_positions(state, self._layout), state.scale3()
@@ -194,36 +228,48 @@ class ClothFingers:
         )
 
     def _fit(
-        self, hand: _Hand, fingers: list[Finger], views: list[FingerView], dt: float, t: float
+        self, hand: _Hand, fingers: list[Finger], views: list[FingerView], due: list[int], t: float
     ) -> None:
-        """One finger after the other; each explains its part of the cloth to the others."""
-        d, before = len(fingers), self.saved
-        known = len(before.posterior) == d and dt < np.inf
-        now = ClothFingersSavedState(
-            np.zeros((d, len(GRID))), np.zeros((d, 5)), np.zeros((d, 5)), np.zeros((d, 3)),
-            np.zeros((d, 4)), np.zeros(d), np.zeros(d), np.zeros((d, 3)), t, is_shown=True,
-        )  # fmt: skip
-        share = min(dt / INDEPENDENT_AFTER, 1.0)
-        for k in range(d):
-            later = range(k + 1, d if known else 0)
-            others = [(fingers[i], now.best[i]) for i in range(k)]
-            others += [(fingers[i], before.best[i]) for i in later]
+        """The fingers that are ``due``, one after the other; each explains its part of the cloth to
+        the others."""
+        before = self.saved
+        now = self._copy(t)
+        known = len(before.posterior) > 0
+        for k in due:
+            dt = t - before.fitted_at[k] if known and t >= before.fitted_at[k] else np.inf
+            others = [
+                (fingers[i], now.best[i])
+                for i in range(len(fingers))
+                if i != k and (i < k or (known and dt < np.inf))
+            ]
             neighbour = self._neighbour(k, hand, now.posture)
-            alone = prior(neighbour)
-            start = aged(before.posterior[k], alone, dt) if known else alone
-            likelihoods = finger_fit(fingers[k], others, self._rig, views)
-            found = fit(start, neighbour, likelihoods.of, share)
+            alone = prior(neighbour, INDEPENDENT)
+            start = aged(before.posterior[k], alone, dt) if dt < np.inf else alone
+            images = finger_images(fingers[k], others, self._rig, views)
+            share = min(dt / INDEPENDENT_AFTER, 1.0)
+            found = fit(start, neighbour, images, share)
             self._put(now, k, fingers[k], found)
-            now.evidence[k] = min(now.evidence[k], LEAST_RIM * likelihoods.rim(now.best[k]))
+            now.evidence[k] = min(now.evidence[k], LEAST_RIM * rim_part(now.best[k], images))
             if not now.is_fitted[k]:
                 now.posture[k] = found.hidden
                 spread = variance_about(now.posterior[k], fingers[k], now.posture[k])
                 now.joint_variance[k] = spread
-        root = self._layout.hand.root
-        for k, digit in enumerate(self.digits):
-            now.origin[k] = self._layout.hand.segments[digit[0]].origin
-            now.origin[k, :2] += now.posture[k, :2] / hand.scale[root, :2]
+            now.fitted_at[k] = t
+            now.origin[k] = self._layout.hand.segments[self.digits[k][0]].origin
+            now.origin[k, :2] += now.posture[k, :2] / hand.scale[self._layout.hand.root, :2]
         self.saved = now
+
+    def _copy(self, t: float) -> ClothFingersSavedState:
+        """The state to which an image at ``t`` is added."""
+        d, before = len(self.digits), self.saved
+        if not len(before.posterior):
+            return ClothFingersSavedState(
+                np.zeros((d, len(GRID))), np.zeros((d, 5)), np.zeros((d, 5)), np.zeros((d, 3)),
+                np.zeros((d, 4)), np.zeros(d), np.zeros(d), np.zeros((d, 3)), t, True,
+                np.zeros(d), t,
+            )  # fmt: skip
+        arrays = {name: getattr(before, name).copy() for name in PER_FINGER}
+        return replace(before, t=t, is_shown=True, **arrays)
 
     def _put(self, now: ClothFingersSavedState, k: int, finger: Finger, found: FingerFit) -> None:
         """Summarizes the fit of the finger ``k``."""

@@ -8,13 +8,12 @@ keeps all its postures until later images decide. Postures are those of
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 
 from tracker.kernels import kernel
-from tracker.kernels.arrays import IntVector, Vector
+from tracker.kernels.arrays import IntVector, Matrix, Vector, Written
 from tracker.messages import Array
 from tracker.vision.finger_cloth import (
     ASIDE,
@@ -23,7 +22,9 @@ from tracker.vision.finger_cloth import (
     JOINT_X,
     JOINT_Y,
     Finger,
+    FingerImages,
     finger_joints,
+    finger_likelihoods,
 )
 
 AXES = (
@@ -34,8 +35,13 @@ AXES = (
     np.deg2rad(np.arange(2.0, 116.0, 14.0)),
 )
 SHAPE = tuple(len(a) for a in AXES)
+FLEXIONS, ASIDES, BENDS = SHAPE[FLEXION], SHAPE[ASIDE], SHAPE[BEND]
+KNUCKLES = SHAPE[JOINT_X] * SHAPE[JOINT_Y]
+CELLS = FLEXIONS * ASIDES * BENDS  # of each position of the knuckle
 CELL = np.array([a[1] - a[0] for a in AXES])
 GRID = np.stack(np.meshgrid(*AXES, indexing="ij"), axis=-1).reshape(-1, len(AXES))
+KNUCKLE = np.ascontiguousarray(GRID[::CELLS, :FLEXION])  # (12, 2) m
+POSTURE = np.ascontiguousarray(GRID[:CELLS, FLEXION:])  # (450, 3) rad
 JOINT_SD = 1e-3 * np.array([4.0, 2.0])  # m: hand files differ from hands in where knuckles are
 FLEXION_SD, BEND_SD = np.deg2rad(24.0), np.deg2rad(26.0)  # rad, about the neighbouring finger's
 ASIDE_SD = np.deg2rad(5.0)  # rad
@@ -44,10 +50,8 @@ STAYS = 0.6  # share of the probabilities that is still valid after `PERIOD`
 MOVES = np.deg2rad([12.0, 5.0, 12.0])  # rad in `PERIOD`, flexion, abduction and bend
 JOINT_STAYS = 0.97  # as `STAYS`, of where the knuckle is
 PERIOD = 0.1  # s
-KNUCKLES = SHAPE[JOINT_X] * SHAPE[JOINT_Y]
-KNUCKLE_AT = GRID[:: len(GRID) // KNUCKLES] * (1.0, 1.0, 0.0, 0.0, 0.0)
-NOMINAL = GRID[: len(GRID) // KNUCKLES] * (0.0, 0.0, 1.0, 1.0, 1.0)
-POSTURES = 30  # that are evaluated with the knuckle anywhere
+POSTURES = 30  # that are evaluated with the knuckle elsewhere
+LEAST_KNUCKLE = 0.003  # probability of a position of the knuckle that is evaluated
 KEPT, UNLIKELY = 16, 9.0  # cells that are divided, and ln of their least probability, relative
 ATTRACTS = 4.0  # ln of the likelihood ratio, maximum, for the posture of a hidden finger
 TINY = 1e-12
@@ -73,128 +77,106 @@ def _halves(share: tuple[float, ...]) -> Array:
     return CELL * np.stack(np.meshgrid(*steps, indexing="ij"), axis=-1).reshape(-1, len(share))
 
 
-DIVISIONS = _halves((0.25, 0.0, 0.25, 0.25, 0.25)), _halves((0.0, 0.25, 0.125, 0.0, 0.125))
+ONCE, AGAIN = _halves((0.25, 0.0, 0.25, 0.25, 0.25)), _halves((0.0, 0.25, 0.125, 0.0, 0.125))
+"""Offsets of the first and the second division."""
 
 
-def _alone() -> Array:
-    """(G,) of a finger that does not follow its neighbour."""
-    joint = (GRID[:, [JOINT_X, JOINT_Y]] / JOINT_SD) ** 2
-    p: Array = np.exp(-0.5 * (joint.sum(axis=1) + (GRID[:, ASIDE] / ASIDE_SD) ** 2))
+def _share(values: Array, sd: Array) -> Array:
+    p: Array = np.exp(-0.5 * ((values / sd) ** 2).sum(axis=1))
     return p / p.sum()
 
 
-ALONE = _alone()
+KNUCKLE_P = _share(KNUCKLE, JOINT_SD)  # (12,)
+ASIDE_P = _share(AXES[ASIDE][:, None], ASIDE_SD)  # (5,)
+FLEXION_AT, ASIDE_AT, BEND_AT = (AXES[a] for a in (FLEXION, ASIDE, BEND))
 
 
-def following(neighbour: Array) -> Array:
-    """(G,) of a finger that follows one in the posture ``neighbour`` (5,)."""
-    of_flexion = np.exp(-0.5 * ((AXES[FLEXION] - neighbour[FLEXION]) / FLEXION_SD) ** 2)
-    of_bend = np.exp(-0.5 * ((AXES[BEND] - neighbour[BEND]) / BEND_SD) ** 2)
-    near = (ALONE.reshape(SHAPE) * of_flexion[:, None, None] * of_bend).reshape(-1)
-    return np.asarray(near / near.sum())
+@kernel
+def _near(at: Vector, middle: float, sd: float) -> Vector:
+    """(n,) of a normal distribution at the values of an axis."""
+    p = np.exp(-0.5 * ((at - middle) / sd) ** 2)
+    return p / p.sum()
 
 
-def prior(neighbour: Array) -> Array:
-    """(G,) of a finger that follows one in the posture ``neighbour`` (5,), or not."""
-    return np.asarray((1 - INDEPENDENT) * following(neighbour) + INDEPENDENT * ALONE)
+@kernel(wide=True)
+def prior(neighbour: Vector, independent: float) -> Vector:
+    """(G,) of a finger that follows one in the posture ``neighbour`` (5,), or not: the latter with
+    the probability ``independent``."""
+    out = np.empty(KNUCKLES * CELLS)
+    flexion = _near(FLEXION_AT, neighbour[FLEXION], FLEXION_SD)
+    bend = _near(BEND_AT, neighbour[BEND], BEND_SD)
+    alone, n = independent / (FLEXIONS * BENDS), 0
+    for k in range(KNUCKLES):
+        for f in range(FLEXIONS):
+            for a in range(ASIDES):
+                p = KNUCKLE_P[k] * ASIDE_P[a]
+                for b in range(BENDS):
+                    out[n] = p * ((1.0 - independent) * flexion[f] * bend[b] + alone)
+                    n += 1
+    return out
 
 
-def aged(posterior: Array, before: Array, dt: float) -> Array:
+@kernel
+def _spread(n: int, sd: float) -> Matrix:
+    """(n, n) matrix that convolves with a normal distribution of ``sd`` cells; what leaves the grid
+    stays at its edge."""
+    reach = int(np.ceil(3 * sd)) + 1
+    out, narrow = np.zeros((n, n)), max(sd, 1e-3)
+    for i in range(n):
+        total = 0.0
+        for to in range(-reach, n + reach):
+            p = np.exp(-0.5 * ((to - i) / narrow) ** 2)
+            out[min(max(to, 0), n - 1), i] += p
+            total += p
+        out[:, i] /= total
+    return out
+
+
+@kernel
+def _moved(p: Vector, along: Matrix, across: Matrix, bent: Matrix) -> Vector:
+    """(450,) probabilities of postures after a motion with the matrices `_spread` of flexion,
+    abduction and bend."""
+    one, two = np.zeros((FLEXIONS * ASIDES, BENDS)), np.zeros((FLEXIONS, ASIDES * BENDS))
+    for i in range(FLEXIONS * ASIDES):
+        for b in range(BENDS):
+            q = p[i * BENDS + b]
+            for c in range(BENDS):
+                one[i, c] += bent[c, b] * q
+    for f in range(FLEXIONS):
+        for a in range(ASIDES):
+            for to in range(ASIDES):
+                for c in range(BENDS):
+                    two[f, to * BENDS + c] += across[to, a] * one[f * ASIDES + a, c]
+    out = np.zeros(CELLS)
+    for to in range(FLEXIONS):
+        for f in range(FLEXIONS):
+            for i in range(ASIDES * BENDS):
+                out[to * ASIDES * BENDS + i] += along[to, f] * two[f, i]
+    return out
+
+
+@kernel(wide=True)
+def aged(posterior: Vector, before: Vector, dt: float) -> Vector:
     """(G,) the ``posterior`` of ``dt`` s ago, where ``before`` is the prior alone (eq. 71).
 
     The knuckle remains where it is; the finger moves, and after a while follows its neighbour.
     """
-    periods = dt / PERIOD
-    sd = MOVES * np.sqrt(periods) / CELL[[FLEXION, ASIDE, BEND]]
-    flexions, *others = (
-        _spread(SHAPE[a], float(s)) for a, s in zip((FLEXION, ASIDE, BEND), sd, strict=True)
-    )
-    moved_on = posterior.reshape(-1, SHAPE[ASIDE] * SHAPE[BEND]) @ np.kron(*others).T
-    now = (flexions @ moved_on.reshape(KNUCKLES, SHAPE[FLEXION], -1)).reshape(SHAPE)
-    alone = before.reshape(SHAPE)
-    joints = now.sum(axis=(2, 3, 4), keepdims=True)
-    first = alone.sum(axis=(2, 3, 4), keepdims=True)
-    stays, joint_stays = STAYS**periods, JOINT_STAYS**periods
-    moved = now / np.maximum(joints, TINY**2)
-    mixed = stays * moved + (1.0 - stays) * alone / first
-    out: Array = (joint_stays * joints + (1.0 - joint_stays) * first) * mixed
-    return out.reshape(-1) / out.sum()
-
-
-def _spread(n: int, sd: float) -> Array:
-    """(n, n) matrix that convolves with a normal distribution of ``sd`` cells; what leaves the grid
-    stays at its edge."""
-    reach = int(np.ceil(3 * sd)) + 1
-    to = np.arange(-reach, n + reach)[:, None]
-    M = np.exp(-0.5 * ((to - np.arange(n)) / max(sd, 1e-3)) ** 2)
-    M[reach] += M[:reach].sum(axis=0)
-    M[reach + n - 1] += M[reach + n :].sum(axis=0)
-    M = M[reach : reach + n]
-    return np.asarray(M / M.sum(axis=0))
-
-
-def fit(
-    before: Array, neighbour: Array, likelihoods: Callable[[Array], Array], share: float
-) -> FingerFit:
-    """The finger after an image: ``before`` (G,) it; ``neighbour`` (5,) is the posture in which it
-    follows its neighbour; ``likelihoods`` (n, 5) -> (n,) are ln of likelihood ratios, of which the
-    ``share`` is independent of earlier images."""
-    logs = np.log(before + TINY)
-    likely = share * _coarse(logs, likelihoods, share)
-    # Divide the most probable cells twice; a divided cell has the mean of its parts.
-    at = _likeliest(likely + logs)
-    postures, log_prior = GRID[at], logs[at]
-    for level, offsets in enumerate(DIVISIONS):
-        postures = (postures[:, None] + offsets).reshape(-1, len(CELL))
-        log_prior = np.repeat(log_prior, len(offsets))
-        values = likelihoods(postures)
-        if level == 0:
-            likely[at] = _mean_log((share * values).reshape(len(at), -1))
-            kept = _likeliest(share * values + log_prior)
-            postures, log_prior = postures[kept], log_prior[kept]
-    weights = _normal(share * values + log_prior)
-    ratios, follows = np.exp(likely - likely.max()), following(neighbour)
-    to_none = float(np.log((follows @ ratios + TINY) / (ALONE @ ratios + TINY)))
-    posterior = before * ratios / (before @ ratios)
-    there = share * float(likelihoods(neighbour + KNUCKLE_AT).max())
-    hidden = _unless_refuted(neighbour, there, follows, likely)
-    return FingerFit(posterior, postures, weights, float(values.max()), to_none, hidden)
-
-
-def _unless_refuted(neighbour: Array, there: float, follows: Array, likely: Array) -> Array:
-    """(5,) the posture of a hidden finger: its ``neighbour``'s (5,), where the ln of the likelihood
-    ratio is ``there``, displaced to where the image does not refute it (eq. 72).
-
-    Without an outline, the cloth at a posture may be that of other parts, so it is weak evidence
-    for the finger. That there is no cloth is strong evidence against it.
-    """
-    capped = np.minimum(likely, ATTRACTS)
-    left = follows * np.exp(capped)
-    refuted = 1.0 - np.exp(min(min(there, ATTRACTS) - float(capped.max()), 0.0))
-    shift = refuted * (left @ GRID / (left.sum() + TINY**2) - follows @ GRID)
-    shift[[JOINT_X, JOINT_Y]] = 0.0
-    return np.asarray(neighbour + shift)
-
-
-def variance_about(posterior: Array, finger: Finger, posture: Array) -> Array:
-    """(4,) m² per axis of a finger's joints and tip relative to those in a posture (5,), for a
-    ``posterior`` (G,), with the knuckle in its nominal position."""
-    weights = posterior.reshape(KNUCKLES, -1).sum(axis=0)
-    off = finger_joints(NOMINAL, finger) - finger_joints(posture[None], finger)
-    return np.asarray(weights @ (off**2).sum(axis=2) / 3)
-
-
-def _coarse(logs: Array, likelihoods: Callable[[Array], Array], share: float) -> Array:
-    """(G,) ln of the likelihood ratios of all cells, for ln of their prior ``logs`` (G,): of each
-    posture with the knuckle where it most probably is; of the likeliest, with the knuckle
-    anywhere."""
-    table, grid = logs.reshape(KNUCKLES, -1), GRID.reshape(KNUCKLES, -1, len(AXES))
-    knuckle = int(np.argmax(np.exp(table).sum(axis=1)))
-    values = np.repeat(likelihoods(grid[knuckle])[None], KNUCKLES, axis=0)
-    postures = highest(share * values[0] + table[knuckle], POSTURES)
-    tried = np.ascontiguousarray(grid[:, postures]).reshape(-1, len(AXES))
-    values[:, postures] = likelihoods(tried).reshape(KNUCKLES, -1)
-    return np.asarray(values.reshape(-1))
+    out = np.empty(KNUCKLES * CELLS)
+    root = np.sqrt(dt / PERIOD)
+    along = _spread(FLEXIONS, MOVES[0] * root / CELL[FLEXION])
+    across = _spread(ASIDES, MOVES[1] * root / CELL[ASIDE])
+    bent = _spread(BENDS, MOVES[2] * root / CELL[BEND])
+    stays, joint_stays = STAYS ** (dt / PERIOD), JOINT_STAYS ** (dt / PERIOD)
+    for k in range(KNUCKLES):
+        first, end = k * CELLS, (k + 1) * CELLS
+        moved, alone = _moved(posterior[first:end], along, across, bent), before[first:end]
+        here, at_first = moved.sum(), alone.sum()
+        kept = stays / max(here, TINY**2)
+        joint = joint_stays * here + (1.0 - joint_stays) * at_first
+        for i in range(CELLS):
+            mixed = kept * moved[i] + (1.0 - stays) / at_first * alone[i]
+            out[first + i] = joint * mixed
+    return out / out.sum()
 
 
 @kernel
@@ -215,19 +197,182 @@ def highest(values: Vector, most: int) -> IntVector:
     return rows[:n]
 
 
-def _likeliest(logs: Array) -> Array:
-    """(k,) rows of the highest values, at most `KEPT`, in their order."""
-    order = highest(logs, KEPT)
-    return np.asarray(order[logs[order] > logs[order[0]] - UNLIKELY])
+@kernel
+def _put_posture(out: Written[Vector], knuckle: int, posture: int) -> None:
+    """A cell of the grid."""
+    out[:FLEXION] = KNUCKLE[knuckle]
+    out[FLEXION:] = POSTURE[posture]
 
 
-def _mean_log(logs: Array) -> Array:
-    """(k,) ln of the mean of exp of each row of (k, n)."""
-    most = logs.max(axis=1)
-    return np.asarray(most + np.log(np.exp(logs - most[:, None]).mean(axis=1)))
+@kernel
+def _coarse(before: Vector, images: FingerImages, share: float) -> tuple[Matrix, IntVector]:
+    """ln of the likelihood ratios of all cells (12, 450): of each posture with the knuckle where it
+    most probably is; of the likeliest, with the knuckle anywhere it may be. And the latter postures
+    (n,)."""
+    table = before.reshape(KNUCKLES, CELLS)
+    tried, mass = np.empty((CELLS, len(CELL))), np.empty(KNUCKLES)
+    for k in range(KNUCKLES):
+        mass[k] = table[k].sum()
+    knuckle = int(np.argmax(mass))
+    for i in range(CELLS):
+        _put_posture(tried[i], knuckle, i)
+    values = share * finger_likelihoods(tried, images)
+    best = highest(values + np.log(table[knuckle] + TINY), POSTURES)
+    out, again = np.empty((KNUCKLES, CELLS)), np.empty((len(best), len(CELL)))
+    for k in range(KNUCKLES):
+        out[k] = values
+        if k != knuckle and mass[k] >= LEAST_KNUCKLE:
+            for j in range(len(best)):
+                _put_posture(again[j], k, best[j])
+            there = share * finger_likelihoods(again, images)
+            for j in range(len(best)):
+                out[k, best[j]] = there[j]
+    return out, best
 
 
-def _normal(logs: Array) -> Array:
-    """exp, with the sum 1."""
-    p = np.exp(logs - logs.max())
-    return np.asarray(p / p.sum())
+@kernel
+def _exp(likely: Matrix, different: IntVector, shift: float) -> Matrix:
+    """exp(likely - shift) of (12, 450) numbers whose rows differ in the columns ``different``."""
+    out = np.empty(likely.shape)
+    first = np.exp(likely[0] - shift)
+    for k in range(KNUCKLES):
+        out[k] = first
+        for i in different:
+            out[k, i] = np.exp(likely[k, i] - shift)
+    return out
+
+
+@kernel
+def _divided(postures: Matrix, offsets: Matrix) -> Matrix:
+    out = np.empty((len(postures) * len(offsets), len(CELL)))
+    for i in range(len(postures)):
+        for j in range(len(offsets)):
+            out[i * len(offsets) + j] = postures[i] + offsets[j]
+    return out
+
+
+@kernel
+def _likeliest(p: Vector) -> IntVector:
+    """(k,) rows of the most probable ones, at most `KEPT`, in their order."""
+    order = highest(p, KEPT)
+    n = len(order)
+    while p[order[n - 1]] <= p[order[0]] * np.exp(-UNLIKELY):
+        n -= 1
+    return order[:n]
+
+
+@kernel
+def _finest(
+    likely: Written[Matrix], ratios: Written[Matrix], before: Vector, images: FingerImages,
+    share: float, most: float,
+) -> tuple[Matrix, Vector, float]:  # fmt: skip
+    """Divides the most probable cells twice: the postures (n, 5) at the end, their weights (n,) and
+    the highest ln of their likelihood ratios. A divided cell has the mean of its parts, in
+    ``likely`` and in ``ratios``, which is exp(likely - most)."""
+    at = _likeliest(ratios.reshape(-1) * (before + TINY))
+    cells, prior_ = np.empty((len(at), len(CELL))), np.empty(len(at) * len(ONCE))
+    for i in range(len(at)):
+        _put_posture(cells[i], at[i] // CELLS, at[i] % CELLS)
+        prior_[i * len(ONCE) : (i + 1) * len(ONCE)] = np.log(before[at[i]] + TINY)
+    postures = _divided(cells, ONCE)
+    values = share * finger_likelihoods(postures, images)
+    for i in range(len(at)):
+        parts = values[i * len(ONCE) : (i + 1) * len(ONCE)]
+        highest_part = parts.max()
+        mean = highest_part + np.log(np.exp(parts - highest_part).mean())
+        likely[at[i] // CELLS, at[i] % CELLS] = mean
+        ratios[at[i] // CELLS, at[i] % CELLS] = np.exp(mean - most)
+    logs = values + prior_
+    kept = _likeliest(np.exp(logs - logs.max()))
+    cells, last_prior = np.empty((len(kept), len(CELL))), np.empty(len(kept) * len(AGAIN))
+    for i in range(len(kept)):
+        cells[i] = postures[kept[i]]
+        last_prior[i * len(AGAIN) : (i + 1) * len(AGAIN)] = prior_[kept[i]]
+    postures = _divided(cells, AGAIN)
+    values = finger_likelihoods(postures, images)
+    logs = share * values + last_prior
+    weights = np.exp(logs - logs.max())
+    return postures, weights / weights.sum(), values.max()
+
+
+@kernel
+def _unless_refuted(
+    neighbour: Vector, there: float, follows: Vector, likely: Matrix, attracted: Matrix
+) -> Vector:
+    """(5,) the posture of a hidden finger: its ``neighbour``'s (5,), where the ln of the likelihood
+    ratio is ``there``, displaced to where the image does not refute it (eq. 72); ``attracted`` is
+    exp of `likely`, limited.
+
+    Without an outline, the cloth at a posture may be that of other parts, so it is weak evidence
+    for the finger. That there is no cloth is strong evidence against it.
+    """
+    best = min(likely.max(), ATTRACTS)
+    refuted = 1.0 - np.exp(min(min(there, ATTRACTS) - best, 0.0))
+    out, total, left, usual = neighbour.copy(), 0.0, np.zeros(3), np.zeros(3)
+    for k in range(KNUCKLES):
+        for i in range(CELLS):
+            p = follows[k * CELLS + i]
+            q = p * attracted[k, i]
+            total += q
+            for j in range(3):
+                left[j] += q * POSTURE[i, j]
+                usual[j] += p * POSTURE[i, j]
+    for j in range(3):
+        out[FLEXION + j] += refuted * (left[j] / (total + TINY**2) - usual[j])
+    return out
+
+
+@kernel(wide=True)
+def fitted(
+    before: Vector, neighbour: Vector, images: FingerImages, share: float
+) -> tuple[Vector, Matrix, Vector, Vector]:
+    """The fields of `FingerFit`, as in `fit`; the last three in one array (7,)."""
+    likely, different = _coarse(before, images, share)
+    most = likely.max()
+    ratios = _exp(likely, different, most)
+    postures, weights, evidence = _finest(likely, ratios, before, images, share, most)
+    follows, alone = prior(neighbour, 0.0), prior(neighbour, 1.0)
+    flat, unit = ratios.reshape(-1), np.exp(most - likely.max())
+    to_alone = np.log(unit * (follows * flat).sum() + TINY)
+    to_alone -= np.log(unit * (alone * flat).sum() + TINY)
+    posterior = before * flat
+    at = np.empty((KNUCKLES, len(CELL)))
+    attracted, limit, height = np.empty(likely.shape), np.exp(ATTRACTS), np.exp(most)
+    for k in range(KNUCKLES):
+        at[k] = neighbour
+        at[k, :FLEXION] += KNUCKLE[k]
+        for i in range(CELLS):
+            attracted[k, i] = min(ratios[k, i] * height, limit)
+    there = share * finger_likelihoods(at, images).max()
+    hidden = _unless_refuted(neighbour, there, follows, likely, attracted)
+    numbers = np.empty(2 + len(hidden))
+    numbers[0], numbers[1], numbers[2:] = evidence, to_alone, hidden
+    return posterior / posterior.sum(), postures, weights, numbers
+
+
+def fit(before: Array, neighbour: Array, images: FingerImages, share: float) -> FingerFit:
+    """The finger after an image: ``before`` (G,) it; ``neighbour`` (5,) is the posture in which it
+    follows its neighbour; of the likelihood ratios in ``images``, the ``share`` is independent of
+    earlier images."""
+    posterior, postures, weights, numbers = fitted(before, neighbour, images, share)
+    evidence, follows = numbers[:2].tolist()
+    return FingerFit(posterior, postures, weights, evidence, follows, numbers[2:])
+
+
+@kernel
+def variance_about(posterior: Vector, finger: Finger, posture: Vector) -> Vector:
+    """(4,) m² per axis of a finger's joints and tip relative to those in a posture (5,), for a
+    ``posterior`` (G,), with the knuckle in its nominal position."""
+    at = np.zeros((CELLS + 1, len(CELL)))
+    at[CELLS] = posture
+    at[:CELLS, FLEXION:] = POSTURE
+    joints = finger_joints(at, finger)
+    out = np.zeros(joints.shape[1])
+    for i in range(CELLS):
+        weight = 0.0
+        for k in range(KNUCKLES):
+            weight += posterior[k * CELLS + i]
+        for j in range(len(out)):
+            for x in range(3):
+                out[j] += weight * (joints[i, j, x] - joints[CELLS, j, x]) ** 2 / 3
+    return out

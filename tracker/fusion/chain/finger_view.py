@@ -12,18 +12,18 @@ from tracker.hand.model import HandModel
 from tracker.messages import Array, CameraPose, Cloth, IntArray
 from tracker.vision.cloth import cloth_map
 from tracker.vision.finger_cloth import (
-    EACH,
     SAMPLES,
     SPACING,
     Finger,
+    FingerImages,
     cloth_window,
     covered,
     finger_evidence,
     finger_joints,
     finger_likelihoods,
+    separates,
 )
 from tracker.vision.rig import NEAREST, Camera, StereoRig
-from tracker.vision.tip_scan import INSIDE, OUTSIDE
 
 AHEAD = 0.02  # m from the knuckles along the palm, of the centre of a window
 LINES = 5  # capsules side by side that represent a broad segment
@@ -31,9 +31,6 @@ PALM_START = np.array([0.017, 0.24, -0.009])  # of a metacarpal: m, share of the
 PALM_END = np.array([-0.003, 0.002, -0.008])  # m from the knuckle; y outwards
 PALM_RADIUS = 0.0135  # m
 ARM, ARM_WIDTH, ARM_RADIUS = 0.1, 0.02, 0.025  # m of the forearm that may have the glove's colours
-COVERED, UNCOVERED = 0.95, 0.02  # probabilities of samples that are on the hand, and beside it
-LEAST_ON_HAND, MOST_BESIDE = 0.7, 0.45  # shares of these samples with the glove's colours
-LEAST_SAMPLES = 200  # of each
 
 
 class KnownParts(NamedTuple):
@@ -78,26 +75,12 @@ def _across(half: float) -> list[float]:
 
 
 class FingerView(NamedTuple):
-    """One camera's window: shift (m), first sample (u, v) and distance between samples (rectified
-    px) of `finger_likelihoods`; classes (n, n); known (n, n) probability that a known part covers a
-    sample."""
+    """One camera's window (`FingerImages`); classes (n, n) of its samples; known (n, n) probability
+    that a known part covers a sample."""
 
     window: Array
     classes: NDArray[np.uint8]
     known: Array
-
-    @property
-    def separates(self) -> bool:
-        """Whether cloth differs from what is beside the hand."""
-        on, beside = self.known > COVERED, self.known < UNCOVERED
-        seen = (self.classes == INSIDE) | (self.classes == OUTSIDE)
-        shares = []
-        for samples in (on & seen, beside & seen):
-            count = int(samples.sum())
-            if count < LEAST_SAMPLES:
-                return False
-            shares.append(float((self.classes[samples] == INSIDE).sum()) / count)
-        return shares[0] >= LEAST_ON_HAND and shares[1] <= MOST_BESIDE
 
 
 def finger_views(
@@ -117,7 +100,7 @@ def finger_views(
         for c, cloth in enumerate(cloths)
         if cloth is not None
     ]
-    return [v for v in views if v.separates]
+    return [v for v in views if separates(v.classes, v.known)]
 
 
 def _view(
@@ -127,68 +110,34 @@ def _view(
     camera: Camera = rig.right if right else rig.left
     pitch = SPACING * rig.fx / centre[2]
     start = rig.project(centre[None], right=right)[0] - SAMPLES / 2 * pitch
-    steps = np.arange(0, SAMPLES + 1, EACH) * pitch
-    nodes = np.stack(np.meshgrid(start[0] + steps, start[1] + steps), axis=-1)
-    raw = camera.unrectify(nodes.reshape(-1, 2)).reshape(nodes.shape)
     window = np.array([rig.baseline if right else 0.0, start[0], start[1], pitch])
-    drawn = _drawn(rig, right, window, *known)
-    return FingerView(
-        window, cloth_window(cloth_map(cloth), np.ascontiguousarray(raw)), covered(drawn, SAMPLES)
-    )
+    classes = cloth_window(cloth_map(cloth), window, camera.optics)
+    return FingerView(window, classes, covered(*known, rig.intrinsics, window))
 
 
-def _drawn(rig: StereoRig, right: bool, window: Array, ends: Array, radius: Array) -> Array:
-    """(k, 5) capsules in the samples of a window, from ends (k, 2, 3) m in C and radii (k,) m."""
-    uv = (rig.project(ends, right=right) - window[1:3]) / window[3]
-    size = radius * rig.fx / ends[..., 2].mean(axis=1) / window[3]
-    return np.concatenate([uv.reshape(-1, 4), size[:, None]], axis=1)
-
-
-class FingerLikelihoods(NamedTuple):
-    """ln of the likelihood ratios (eq. 70) of a ``finger``, as seen in ``windows`` (c, 4) with the
-    maps (c, 2, n, n) of `finger_evidence`."""
-
-    finger: Finger
-    rig: StereoRig
-    windows: Array
-    maps: NDArray[np.float32]
-
-    def of(self, postures: Array) -> Array:
-        """(n,) of the postures (n, 5)."""
-        return self._of(postures, self.maps)
-
-    def rim(self, posture: Array) -> float:
-        """The part of a posture (5,) that the rim contributes: negative where the finger is in
-        front of other things with the glove's colours."""
-        rims = self.maps.copy()
-        rims[:, 0] = 0.0
-        return float(self._of(posture[None], rims)[0])
-
-    def _of(self, postures: Array, maps: NDArray[np.float32]) -> Array:
-        return finger_likelihoods(
-            np.ascontiguousarray(postures), self.finger, self.rig.intrinsics, self.windows, maps
-        )
-
-
-def finger_fit(
+def finger_images(
     finger: Finger,
     others: Sequence[tuple[Finger, Array]],
     rig: StereoRig,
     views: Sequence[FingerView],
-) -> FingerLikelihoods:
-    """The likelihoods where ``others`` are the other fingers without sensors in their assumed
-    postures (5,)."""
-    maps = []
+) -> FingerImages:
+    """The evidence where ``others`` are the other fingers without sensors in their assumed postures
+    (5,)."""
+    ends, radius, of = [np.zeros((0, 2, 3))], [np.zeros(0)], rig.intrinsics
+    for other, posture in others:
+        joints = finger_joints(posture[None], other)[0]
+        if joints[:, 2].min() > 3 * NEAREST:
+            ends.append(np.stack([joints[:-1], joints[1:]], axis=1))
+            radius.append(other.radius)
+    capsules = np.concatenate(ends), np.concatenate(radius)
+    r, maps = float(finger.radius.mean()) / SPACING, []
     for view in views:
-        left, right = 1.0 - view.known, bool(view.window[0] > 0.0)
-        for other, posture in others:
-            joints = finger_joints(posture[None], other)[0]
-            if joints[:, 2].min() > 3 * NEAREST:
-                ends = np.stack([joints[:-1], joints[1:]], axis=1)
-                drawn = _drawn(rig, right, view.window, ends, other.radius)
-                left = left * (1.0 - covered(drawn, SAMPLES))
-        pitch = float(view.window[3])
-        radius = float(finger.radius.mean()) / SPACING
-        maps.append(finger_evidence(view.classes, 1.0 - left, radius, pitch**2))
-    windows = np.array([v.window for v in views])
-    return FingerLikelihoods(finger, rig, windows, np.array(maps))
+        drawn = covered(*capsules, of, view.window)
+        maps.append(finger_evidence(view.classes, view.known, drawn, r, float(view.window[3]) ** 2))
+    return FingerImages(finger, of, np.array([v.window for v in views]), np.array(maps))
+
+
+def rim_part(posture: Array, images: FingerImages) -> float:
+    """What the rim contributes to the ln of the likelihood ratio of a posture (5,): negative where
+    the finger is in front of other things with the glove's colours."""
+    return float(finger_likelihoods(posture[None], images._replace(inside=0.0))[0])

@@ -35,13 +35,13 @@ class FingerRows(NamedTuple):
 
 
 class MeasuredFingers(NamedTuple):
-    """For d fingers, measured at the time ``t`` (s): angles (d, 4) rad of the columns of ``rows``,
+    """For d fingers, measured at the times t (d,) s: angles (d, 4) rad of the columns of ``rows``,
     origin (d, 3) m of their first segments in the nominal B of the palm, variance (d, 4) m² per
     axis of the joints and the tip relative to the palm, angle_sd (d, 3) rad without the last joint,
     whether the fit is displayed (d,), else the neighbour's posture as far as the images allow, and
     whether the finger was seen (d,)."""
 
-    t: float
+    t: Array
     rows: tuple[FingerRows, ...]
     angles: Array
     origin: Array
@@ -65,13 +65,13 @@ class MeasuredFingers(NamedTuple):
         """The fields with the standard deviations and states of these fingers; the palm has the
         variance ``palm_variance`` m² per axis."""
         sd, state, angle_state = found.sd.copy(), found.state.copy(), found.angle_state.copy()
-        drift = DRIFT**2 * max(t - self.t, 0.0) / DRIFT_TIME
+        drift = DRIFT**2 * np.maximum(t - self.t, 0.0) / DRIFT_TIME
         palm_measured = bool((state == MEASURED).any())
         for k, row in enumerate(self.rows):
             for i, segment in enumerate(row.segments):
                 for j in np.flatnonzero(keypoints.segment == segment):
                     joint = i + int(np.any(keypoints.offset[j]))
-                    moving = drift * joint / (JOINTS - 1)
+                    moving = drift[k] * joint / (JOINTS - 1)
                     fitted = np.sqrt(palm_variance + self.variance[k, joint] + moving)
                     sd[j] = fitted if self.is_fitted[k] else max(sd[j], fitted)
                     if state[j] == INFERRED and self.is_seen[k] and palm_measured:
