@@ -10421,6 +10421,21 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>Tracking runs before other programs (real-time priority).</source>
+      <translation>Das Tracking läuft vor anderen Programmen (Echtzeitpriorität).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Tracking waits for other programs: this user has no real-time priority.</source>
+      <translation>Das Tracking wartet auf andere Programme: dieser Benutzer hat keine Echtzeitpriorität.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>If other programs run during recordings, add the line "USER - rtprio 1" with your user name to /etc/security/limits.d/glovetrack.conf, and log in again.</source>
+      <translation>Wenn während Aufnahmen andere Programme laufen: die Zeile „USER - rtprio 1“ mit Ihrem Benutzernamen in /etc/security/limits.d/glovetrack.conf eintragen und neu anmelden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>Close other programs, and choose 30 images per second.</source>
       <translation>Schließen Sie andere Programme und wählen Sie 30 Bilder pro Sekunde.</translation>
     </message>

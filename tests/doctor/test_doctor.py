@@ -30,7 +30,7 @@ from tracker.base.notices import notice, plain
 from tracker.cli import main
 from tracker.doctor.cameras import cameras
 from tracker.doctor.command import report_text
-from tracker.doctor.computer import disk, graphics
+from tracker.doctor.computer import _priority, disk, graphics
 from tracker.doctor.finding import CHECKS, Check, Finding, Verdict, examine
 from tracker.doctor.gloves import gloves
 from tracker.doctor.machine import Machine, writing_speed
@@ -217,6 +217,15 @@ def test_time_stamps_of_the_driver_are_recognised(tmp_path: Path) -> None:
 
 
 # ---- the computer
+
+
+def test_tracking_that_waits_for_other_programs_has_a_remedy(tmp_path: Path) -> None:
+    """It is not a warning: an idle computer needs no priority."""
+    granted = _priority(bare(tmp_path, may_run_first=lambda: True))
+    refused = _priority(bare(tmp_path, may_run_first=lambda: False))
+    assert granted.what.code == "doctor.urgent" and granted.remedy is None
+    assert refused.verdict == Verdict.OK and refused.remedy is not None
+    assert "rtprio" in str(refused.remedy)
 
 
 def test_slow_full_and_forbidden_disks(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

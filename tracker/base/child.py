@@ -9,6 +9,7 @@ from multiprocessing.process import BaseProcess
 from typing import Any
 
 from tracker.base.numeric_threads import limit_this_process
+from tracker.base.urgency import run_as_others
 
 
 def start_child(
@@ -30,5 +31,6 @@ def start_child(
 
 
 def _run(serve: Callable[..., object], *args: Any) -> None:
+    run_as_others()
     limit_this_process()
     serve(*args)

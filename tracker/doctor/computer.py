@@ -62,6 +62,15 @@ def processor(machine: Machine) -> Iterator[Finding]:
         filter_percent=fusion,
     )
     yield graded(what, level(share, 60.0, 100.0), notice("doctor.lower_rate"))
+    if machine.is_linux:
+        yield _priority(machine)
+
+
+def _priority(machine: Machine) -> Finding:
+    """Whether tracking goes before other programs."""
+    if machine.may_run_first():
+        return Finding(notice("doctor.urgent"))
+    return Finding(notice("doctor.not_urgent"), notice("doctor.allow_urgent"))
 
 
 def level(value: float, warn_above: float, fail_above: float) -> Severity:

@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from tracker.base.urgency import may_run_first
 from tracker.sensors.camera_controls import HasCaptures
 from tracker.sensors.camera_plugins import all_cameras
 from tracker.sensors.image_input import CameraName, CaptureFormat, StreamInput
@@ -54,6 +55,7 @@ class Machine:
     is_accessible: Callable[[str], bool] = is_accessible
     cameras: Callable[[], Sequence[CameraName]] = all_cameras
     open_camera: Callable[[CameraName, CaptureFormat], HasCaptures] = open_camera
+    may_run_first: Callable[[], bool] = may_run_first
     writing_speed: Callable[[Path, int], float] = writing_speed
     clock: Callable[[], float] = time.monotonic
     patience: float = 4.0

@@ -44,7 +44,7 @@ from app.platform.process_tuning import freeze_permanent_objects, tune_process
 from app.platform.tasks import JobProgress
 from app.platform.translation import install
 from tracker.base.errors import GlovetrackError, notice_of
-from tracker.base.urgency import run_first
+from tracker.base.urgency import UrgencyGuard, run_first
 from tracker.fusion.engine import Engine
 from tracker.messages import Estimate
 from tracker.streaming.apart import EstimateLine, feed
@@ -315,8 +315,9 @@ class Desk:
 
     def _report(self) -> None:
         """Send what is new whenever the window has taken what was sent before."""
-        settling = SETTLED
+        settling, guard = SETTLED, UrgencyGuard()
         while not self._ended.is_set():
+            guard.check()
             if not self._taken.wait(LOOK_EVERY):
                 continue
             self._taken.clear()

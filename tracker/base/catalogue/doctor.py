@@ -20,6 +20,12 @@ TEXTS = {
         "present load: {detection_percent:.0f} % for the images, {filter_percent:.0f} % for the "
         "filter."
     ),
+    "doctor.urgent": "Tracking runs before other programs (real-time priority).",
+    "doctor.not_urgent": "Tracking waits for other programs: this user has no real-time priority.",
+    "doctor.allow_urgent": (
+        'If other programs run during recordings, add the line "USER - rtprio 1" with your user '
+        "name to /etc/security/limits.d/glovetrack.conf, and log in again."
+    ),
     "doctor.lower_rate": "Close other programs, and choose 30 images per second.",
     "doctor.disk_speed": (
         "The disk of {folder} takes {disk_mb_s:.0f} MB/s; a recording needs up to "
