@@ -193,13 +193,13 @@ class ColourTuning:
         self._change(Tuned(profile, words))
 
     def follow(self, profile: ColourProfile) -> None:
-        """Use colours that the engine has changed, because the light or the replay position
-        changed.
+        """Use colours that the engine has changed, to adapt them to the light or because the replay
+        position changed.
 
         Further changes start from these colours. Clicked markers are preserved.
         """
         live, before = self.setup.player is None, self._history.now
-        words = tr("The light has changed; the colours were adapted.") if live else ""
+        words = tr("The colours were adapted to the light.") if live else ""
         if before.picks or self.live.wanted:
             words = self.last_words  # the message about the pending fit remains
         self._history.follow(Tuned(profile, words, before.picks, followed=True), live)

@@ -3156,8 +3156,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/colour_tuning.py" />
-      <source>The light has changed; the colours were adapted.</source>
-      <translation>Das Licht hat sich geändert; die Farben wurden angepasst.</translation>
+      <source>The colours were adapted to the light.</source>
+      <translation>Die Farben wurden an das Licht angepasst.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_tuning.py" />
@@ -11281,6 +11281,16 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>The names of these hues are exchanged in the colour profile: {hues:words}. Fit the colours.</source>
+      <translation>Die Namen dieser Farbtöne sind im Farbprofil vertauscht: {hues:words}. Passen Sie die Farben an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The names of these hues were exchanged in the colour profile and are corrected: {hues:words}.</source>
+      <translation>Die Namen dieser Farbtöne waren im Farbprofil vertauscht und sind korrigiert: {hues:words}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>No hand is visible. {why}</source>
       <translation>Es ist keine Hand zu sehen. {why}</translation>
     </message>
@@ -11356,8 +11366,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>The colours could not be fitted: no hand was found with certainty in any light. Hold the hand flat and still in view of {cameras:word}, in more or whiter light.</source>
-      <translation>Die Farben ließen sich nicht anpassen: Bei keinem Licht wurde sicher eine Hand gefunden. Halten Sie die Hand flach und ruhig in die Sicht von {cameras:word}, bei mehr oder weißerem Licht.</translation>
+      <source>The colours could not be fitted: no hand was found with certainty, in any light and with any names of the hues. Hold the hand flat and still in view of {cameras:word}, in more or whiter light.</source>
+      <translation>Die Farben konnten nicht angepasst werden: Bei keiner Beleuchtung und mit keinen Namen der Farbtöne wurde sicher eine Hand gefunden. Halten Sie die Hand flach und ruhig ins Bild ({cameras:word}), bei mehr oder weißerem Licht.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />

@@ -657,9 +657,7 @@ def test_colours_that_follow_the_light_can_be_seen_stored_and_tuned(
     assert row.values() == new.hues[colours.tuning.hue].hue != old.hues[colours.tuning.hue].hue
     assert colours.host.setup.profile == new  # overlays and the checklist go by it
     assert engine.profiles == []  # the engine has received no other colours
-    assert colours.ranges.words.text().startswith(
-        "The light has changed; the colours were adapted."
-    )
+    assert colours.ranges.words.text().startswith("The colours were adapted to the light.")
     colours.keeper.write()
     assert colours.keeper.store.load(CAMERA, old) == new
     colours.files.save(tmp_path / "out.toml")

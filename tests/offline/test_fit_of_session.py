@@ -14,7 +14,13 @@ from tracker.calibration.colours_image import learn_image
 from tracker.glove import library
 from tracker.messages import ImuSample, StereoFrame
 from tracker.offline.colours import check_session, fit_session
-from tracker.offline.colours_fit import Sensed, WatchedGlove, fit_messages
+from tracker.offline.colours_fit import (
+    Sensed,
+    WatchedGlove,
+    check_messages,
+    exchanged_hues,
+    fit_messages,
+)
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 from tracker.vision.colours import (
@@ -74,19 +80,27 @@ LAMP = np.array([0.75, 1.0, 1.15])  # of blue, green and red
 
 
 @lru_cache(maxsize=1)
-def under_a_lamp() -> tuple[WatchedGlove, tuple[ImuSample | StereoFrame, ...]]:
-    """A simulated hand for a second, in light for which the factory colours are unsuitable."""
+def simulated() -> tuple[WatchedGlove, tuple[ImuSample | StereoFrame, ...]]:
+    """A simulated hand for a second."""
     hand, glove = library.load()
     sim = Simulation(hand, glove, RandomPostures(hand, 2, duration=0.9), 2, fps=8)
+    feed = [m for m in sim.feed(images=True) if isinstance(m, ImuSample | StereoFrame)]
+    return WatchedGlove(hand, glove, sim.rig), tuple(feed)
+
+
+@lru_cache(maxsize=1)
+def under_a_lamp() -> tuple[WatchedGlove, tuple[ImuSample | StereoFrame, ...]]:
+    """The same in light for which the factory colours are unsuitable."""
+    worn, feed = simulated()
     messages: list[ImuSample | StereoFrame] = []
-    for m in sim.feed(images=True):
+    for m in feed:
         if isinstance(m, StereoFrame):
             assert m.left is not None and m.right is not None
             lit = [np.clip(x * LAMP, 0, 255).astype(np.uint8) for x in (m.left, m.right)]
             messages.append(replace(m, left=lit[0], right=lit[1]))
         elif isinstance(m, ImuSample):
             messages.append(m)
-    return WatchedGlove(hand, glove, sim.rig), tuple(messages)
+    return worn, tuple(messages)
 
 
 def seen_by(cameras: str) -> tuple[WatchedGlove, list[Sensed]]:
@@ -123,3 +137,38 @@ def test_nothing_is_learned_from_a_glove_of_the_other_hand() -> None:
     ]
     with raises(GlovetrackError, "glove.other_hand"):
         fit_messages(messages, WatchedGlove(*library.load(), sim.rig), FACTORY)
+
+
+RENAMED = {"red": "yellow", "yellow": "green", "green": "blue", "blue": "red"}
+
+
+def with_names(names: dict[str, str]) -> ColourProfile:
+    """The factory colours with other names, in another order."""
+    hues = [replace(h, name=names.get(h.name, h.name)) for h in reversed(FACTORY.hues)]
+    return replace(FACTORY, hues=tuple(hues))
+
+
+def test_exchanged_hues_are_corrected_in_any_order_of_names() -> None:
+    worn, messages = simulated()
+    wrong = with_names({"red": "blue", "blue": "red"})
+    fit = fit_messages(messages, worn, wrong)
+    assert set(fit.exchanged) == {"red", "blue"}
+    assert fit.after.sure > 15 > fit.before.sure
+    assert fit.profile.hue_names == wrong.hue_names
+
+
+def test_all_hues_exchanged_are_named() -> None:
+    assert set(RENAMED) == set(FACTORY.hue_names)
+    worn, messages = simulated()
+    assert set(exchanged_hues(messages, worn, with_names(RENAMED))) == set(RENAMED)
+
+
+def test_colours_in_order_are_not_called_exchanged() -> None:
+    worn, messages = simulated()
+    assert exchanged_hues(messages, worn, FACTORY) == ()
+
+
+def test_no_more_markers_are_found_than_expected() -> None:
+    worn, messages = simulated()
+    for hue in check_messages(messages, worn, FACTORY).hues:
+        assert 0 < hue.found <= hue.expected

@@ -54,7 +54,7 @@ def test_images_without_a_hand_fit_the_colours_once(
 
     def fit(messages: list[StereoFrame], *_: object) -> SimpleNamespace:
         fits.append(len(messages))
-        return SimpleNamespace(profile=FITTED)
+        return SimpleNamespace(profile=FITTED, exchanged=())
 
     monkeypatch.setattr(own_colours, "fit_messages", fit)
     own = colours(hand, glove)
@@ -97,7 +97,7 @@ def test_colours_are_fitted_for_smoothing_and_for_both_hands(
     hues = tuple(replace(h, name=n) for h, n in zip(FACTORY.hues, names, strict=True))
     wrong = tmp_path / "wrong.toml"
     wrong.write_text(profile_to_toml(replace(FACTORY, hues=hues)))
-    fitted = SimpleNamespace(profile=FACTORY)
+    fitted = SimpleNamespace(profile=FACTORY, exchanged=())
     monkeypatch.setattr(own_colours, "fit_messages", lambda *_: fitted)
     monkeypatch.setattr(own_colours, "IMAGES", 2)
     for module in (own_colours, detection):

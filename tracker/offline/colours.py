@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from tracker.base.errors import FileError
 from tracker.base.files import check_target, write_with_folder
-from tracker.base.notices import notice
+from tracker.base.notices import notice, warning
 from tracker.calibration.light_meter import LightMeter, LightReading
 from tracker.glove import library
 from tracker.messages import ImuSample, StereoFrame
@@ -26,6 +26,7 @@ from tracker.offline.colours_fit import (
     SessionFit,
     WatchedGlove,
     check_messages,
+    exchanged_hues,
     fit_messages,
 )
 from tracker.offline.track import profile_of
@@ -74,7 +75,8 @@ def _mean(values: list[float]) -> float | None:
 
 
 def session_light(path: Path, colours: str = "") -> SessionLight:
-    """Measures the light of a session. Raises FileError if it has no images."""
+    """Measures the light of a session, and finds hues whose names are exchanged. Raises FileError
+    if it has no images."""
     with SessionReader(path) as session:
         text = session.info.colours_text or library.text("colours", library.DEFAULT_COLOURS)
         text = library.text("colours", colours) if colours else text
@@ -90,9 +92,18 @@ def session_light(path: Path, colours: str = "") -> SessionLight:
         for kind in dict.fromkeys(a.kind for a in advice)
         if sum(a.kind == kind for a in advice) > len(readings) / 2
     ]
-    return SessionLight(
-        readings, tuple(next(str(a.notice) for a in advice if a.kind == kind) for kind in most)
-    )
+    words = [next(str(a.notice) for a in advice if a.kind == kind) for kind in most]
+    return SessionLight(readings, (*_exchanged(path, colours), *words))
+
+
+def _exchanged(path: Path, colours: str) -> list[str]:
+    """The advice if names of hues are exchanged; without a camera calibration nothing is known."""
+    with SessionReader(path) as session:
+        if session.info.rig is None:
+            return []
+    info, messages = _read(path, colours, CHECKED_IMAGES)
+    hues = exchanged_hues(messages, glove_of(info), profile_of(info))
+    return [str(warning("colours.exchanged", hues=hues))] if hues else []
 
 
 def _some_images(session: SessionReader) -> Iterator[NDArray[np.uint8]]:
@@ -108,6 +119,7 @@ def _some_images(session: SessionReader) -> Iterator[NDArray[np.uint8]]:
             return
 
 
+CHECKED_IMAGES = 3  # pairs, to find exchanged hues
 MOST_IMAGES = 48  # pairs that are looked at, 260 MB at 720p
 APART = 0.08  # s between two of them
 
@@ -138,7 +150,7 @@ def glove_of(info: SessionInfo) -> WatchedGlove:
     return WatchedGlove(info.hand, info.glove, info.rig)
 
 
-def _read(source: Path, colours: str) -> tuple[SessionInfo, list[Sensed]]:
+def _read(source: Path, colours: str, most: int = MOST_IMAGES) -> tuple[SessionInfo, list[Sensed]]:
     """The session with these colours, its packets and some of its images."""
     with SessionReader(source) as reader:
         info = replace(reader.info, rig=reader.rig())
@@ -156,7 +168,7 @@ def _read(source: Path, colours: str) -> tuple[SessionInfo, list[Sensed]]:
                 if frame is not None:
                     messages.append(frame)
                     last, images = message.t, images + 1
-            if images >= MOST_IMAGES:
+            if images >= most:
                 break
     if images == 0:
         raise FileError(notice("colours.no_images", path=source))

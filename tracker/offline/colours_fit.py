@@ -8,8 +8,9 @@ more of the room.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -17,6 +18,7 @@ from numpy.typing import NDArray
 
 from tracker.base.errors import GlovetrackError
 from tracker.base.notices import notice
+from tracker.calibration.colours_exchanged import exchanged, renamed
 from tracker.calibration.colours_fit import clashes
 from tracker.calibration.colours_learn import ColourSamples, learn, wide_profiles
 from tracker.calibration.colours_sample import known_sides, samples_of
@@ -45,6 +47,7 @@ LEAST_IMAGES = 2  # with a hand that is sure, to learn from
 LEAST_SHARE = 0.6  # of the markers that should be seen
 SHOWS = 0.2  # of the markers that the other camera shows, for a camera that shows the hand at all
 ROUNDS = 2  # of learning and looking again
+FEW_IMAGES = 2  # and the next, in which other names of the hues are tried
 
 
 class WatchedGlove(NamedTuple):
@@ -123,12 +126,14 @@ class ColourCheck:
 
 @dataclass(frozen=True)
 class SessionFit:
-    """The colours, what they were before and are now on images that they were not learned from."""
+    """The colours, what they were before and are now on images that they were not learned from,
+    and the hues whose names were ``exchanged`` before."""
 
     profile: ColourProfile
     before: ColourCheck
     after: ColourCheck
     patches: dict[str, int]
+    exchanged: tuple[str, ...] = ()
 
 
 @dataclass
@@ -139,7 +144,6 @@ class Looked:
     blobs: list[BlobFrame] = field(default_factory=list)
     results: list[FrameResult] = field(default_factory=list)
     images: int = 0
-    others: IntArray = field(default_factory=lambda: np.zeros(0, np.int64))  # per hue, no marker's
 
     @property
     def matched(self) -> float:
@@ -174,6 +178,8 @@ def fit_messages(
                 _refuse_other_side(messages, watched, wide, tried)
             if not _is_poor(best):
                 break
+        other = _renamed(messages, watched, profile, best) if _is_poor(best) else None
+        best = other[1] if other is not None else best
     fitted = profile
     patches: dict[str, int] = {}
     for turn in range(ROUNDS):
@@ -194,7 +200,32 @@ def fit_messages(
                 others_before=old.clashing,
             )
         )
-    return SessionFit(fitted, old, new, patches)
+    swapped = exchanged(profile, fitted) if _is_poor(before) else ()
+    return SessionFit(fitted, old, new, patches, swapped)
+
+
+def exchanged_hues(
+    messages: Sequence[Sensed], watched: WatchedGlove, profile: ColourProfile
+) -> tuple[str, ...]:
+    """The hues of ``profile`` whose names are exchanged, as the first images show: with other names
+    they show the hand, and with these they do not."""
+    own = look(_beginning(messages, FEW_IMAGES), watched, profile)
+    other = _renamed(messages, watched, profile, own) if _is_poor(own) else None
+    return exchanged(profile, other[0]) if other is not None else ()
+
+
+def _renamed(
+    messages: Sequence[Sensed], watched: WatchedGlove, profile: ColourProfile, own: Looked
+) -> tuple[ColourProfile, Looked] | None:
+    """The profile with other names of its hues, with which the first images show the hand."""
+    first = _beginning(messages, FEW_IMAGES)
+    detector = _detector(watched, profile)
+    found = {m.t: detect_frame(detector, m) for m in first if isinstance(m, StereoFrame)}
+    for other in renamed(profile):
+        tried = _track(first, watched, partial(_with_names, found, other.hue_names))
+        if tried.matched > own.matched and not _is_poor(tried):
+            return other, tried
+    return None
 
 
 def _refuse_other_side(
@@ -213,7 +244,7 @@ def _starts(profile: ColourProfile) -> Iterator[ColourProfile]:
     may be of another room."""
     yield from wide_profiles(profile)
     factory = parse_profile(library.text("colours", library.DEFAULT_COLOURS))
-    if factory.hue_names == profile.hue_names and factory.hues != profile.hues:
+    if set(factory.hue_names) == set(profile.hue_names) and factory.hues != profile.hues:
         yield from wide_profiles(factory)
 
 
@@ -236,16 +267,35 @@ def check_messages(
     return checked(looked, watched, profile, looked.showing)
 
 
+def _with_names(
+    found: Mapping[float, BlobFrame], names: tuple[str, ...], image: StereoFrame
+) -> BlobFrame:
+    """The blobs found in an image, with other names of their hues."""
+    return replace(found[image.t], hue_names=names)
+
+
 def look(messages: Iterable[Sensed], watched: WatchedGlove, profile: ColourProfile) -> Looked:
     """Track the hand with these colours."""
-    pipeline = Pipeline(watched.hand, watched.glove, watched.rig, Settings())
+    return _track(messages, watched, partial(detect_frame, _detector(watched, profile)))
+
+
+def _detector(watched: WatchedGlove, profile: ColourProfile) -> Detector:
     size = float(np.median(watched.glove.marker_size)) if watched.glove.markers else 0.012
-    detector = Detector(profile, size, watched.rig.fx, DetectorParams())
-    out = Looked(others=np.zeros(len(profile.hues), np.int64))
+    return Detector(profile, size, watched.rig.fx, DetectorParams())
+
+
+def _track(
+    messages: Iterable[Sensed],
+    watched: WatchedGlove,
+    blobs_of: Callable[[StereoFrame], BlobFrame],
+) -> Looked:
+    """Track the hand by these blobs of the images."""
+    pipeline = Pipeline(watched.hand, watched.glove, watched.rig, Settings())
+    out = Looked()
     waiting: dict[float, tuple[StereoFrame, BlobFrame]] = {}
     for message in messages:
         if isinstance(message, StereoFrame):
-            blobs = detect_frame(detector, message)
+            blobs = blobs_of(message)
             waiting[message.t] = (message, blobs)
             out.images += 1
             pipeline.feed_frame(blobs)
@@ -333,11 +383,13 @@ def checked(
     expected, found, other = np.zeros((3, len(names)))
     hue = np.array([names.index(m.hue) for m in watched.glove.markers])
     for blobs, result in zip(looked.blobs, looked.results, strict=True):
-        np.add.at(expected, hue, np.nan_to_num(result.visible))
-        np.add.at(found, hue, _found(result))
+        there = _found(result)
+        # a marker that was found was visible, however improbable that was
+        np.add.at(expected, hue, np.where(there, 1.0, np.nan_to_num(result.visible)))
+        np.add.at(found, hue, there)
         sides = ((blobs.left, result.match_left), (blobs.right, result.match_right))
-        there = [_unmatched(b, match, len(names)) for b, match in sides if b is not None]
-        other += np.mean(there, axis=0)
+        free = [_unmatched(b, match, len(names)) for b, match in sides if b is not None]
+        other += np.mean(free, axis=0)
     overlaps = _overlaps(profile)
     n = max(len(looked.results), 1)
     return ColourCheck(

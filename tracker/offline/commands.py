@@ -119,6 +119,8 @@ def _fit_colours(args: argparse.Namespace) -> int:
     print(
         f"Before: {before.found:.1f} markers, {before.clashing:.1f} other regions per image. Now:"
     )
+    if fit.exchanged:
+        print(notice("colours.exchanged_corrected", hues=fit.exchanged))
     print("\n".join(fit.after.lines()))
     return 0
 

@@ -28,7 +28,7 @@ FEW = 3
 """Postures below which a marker's position in the file is kept."""
 
 
-class SessionFit(NamedTuple):
+class FittedGlove(NamedTuple):
     """The fit, the number of postures, and the fitted glove file with the glove that it replaces
     and the hand it is for."""
 
@@ -39,7 +39,9 @@ class SessionFit(NamedTuple):
     hand: HandModel
 
 
-def fit_session(source: Path, progress: Callable[[float], None] = lambda share: None) -> SessionFit:
+def fit_session(
+    source: Path, progress: Callable[[float], None] = lambda share: None
+) -> FittedGlove:
     """Fits the glove file of the recording ``source`` of one hand.
 
     Raises FileError without a stereo camera or with two hands, ConfigError if the recording does
@@ -57,7 +59,7 @@ def fit_session(source: Path, progress: Callable[[float], None] = lambda share: 
     fit = fit_glove(engine.layout, rig, frames, state.filter.state)
     text = with_fit(info.glove_text, fitted(info.glove, fit))
     parse_glove(text, info.hand, source.name)
-    return SessionFit(fit, len(frames), text, info.glove, info.hand)
+    return FittedGlove(fit, len(frames), text, info.glove, info.hand)
 
 
 def _tracked(reader: SessionReader, progress: Callable[[float], None]) -> ChainEngine:
@@ -87,7 +89,7 @@ def fitted(glove: GloveModel, fit: GloveFit) -> Fitted:
     )
 
 
-def _rows(found: SessionFit) -> Iterator[tuple[int, float, float, int]]:
+def _rows(found: FittedGlove) -> Iterator[tuple[int, float, float, int]]:
     """Of each marker: id, offset and standard deviation in mm, postures in which it was seen."""
     fit = found.fit
     offset = 1e3 * np.linalg.norm(fit.offset, axis=1)
@@ -96,7 +98,7 @@ def _rows(found: SessionFit) -> Iterator[tuple[int, float, float, int]]:
         yield marker.id, float(offset[k]), float(sd[k]), int(fit.seen[k])
 
 
-def fit_lines(found: SessionFit) -> list[str]:
+def fit_lines(found: FittedGlove) -> list[str]:
     """A table for people."""
     out = [f"{found.postures} postures. Offsets of the markers from the glove file:"]
     out.append(f"{'marker':>6}{'mm':>7}{'± (per axis)':>14}{'seen':>7}")
@@ -111,7 +113,7 @@ def fit_lines(found: SessionFit) -> list[str]:
     return out
 
 
-def fit_json(found: SessionFit) -> Mapping[str, Any]:
+def fit_json(found: FittedGlove) -> Mapping[str, Any]:
     """For ``--json``: offsets in m, rotations in rad, with standard deviations."""
     fit = found.fit
     return {

@@ -118,7 +118,10 @@ class OwnColours:
             return
         self._follower.take(fit.profile)
         self._stale = AHEAD + 2
-        self._use(fit.profile, frames[-1].t, notice("colours.fitted_themselves"))
+        what = notice("colours.fitted_themselves")
+        if fit.exchanged:
+            what = notice("colours.exchanged_corrected", hues=fit.exchanged)
+        self._use(fit.profile, frames[-1].t, what)
 
     def _use(self, profile: ColourProfile, t: float, what: Notice) -> None:
         """From the next image that is searched."""

@@ -30,6 +30,14 @@ TEXTS = {
         "The colour profile {profile} has {hues} hues; at most {most} can be distinguished."
     ),
     "colours.fitted_themselves": "The colours showed no hand, so they were fitted automatically.",
+    "colours.exchanged": (
+        "The names of these hues are exchanged in the colour profile: {hues:words}. Fit the "
+        "colours."
+    ),
+    "colours.exchanged_corrected": (
+        "The names of these hues were exchanged in the colour profile and are corrected: "
+        "{hues:words}."
+    ),
     "colours.no_hand": "No hand is visible. {why}",
     "light.too_bright": (
         "The {hues:words} markers are too bright. Shorten the exposure, or move the lamp away."
@@ -66,8 +74,9 @@ TEXTS = {
         "{others_before:.1f}."
     ),
     "colours.no_hand_found": (
-        "The colours could not be fitted: no hand was found with certainty in any light. "
-        "Hold the hand flat and still in view of {cameras:word}, in more or whiter light."
+        "The colours could not be fitted: no hand was found with certainty, in any light and with "
+        "any names of the hues. Hold the hand flat and still in view of {cameras:word}, in more or "
+        "whiter light."
     ),
     "colours.live_needs": (
         "Fitting to live images needs the glove and a calibrated camera. Fit to one image instead."
