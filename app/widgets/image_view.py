@@ -267,7 +267,8 @@ class ImageView(QWidget):
         state = (size, self.zoom.scale, corner, self.font().key())
         if state != self._composed:
             PAINTING.give_way()
-            placing = Placing(ratio * self.zoom.scale, *corner, self._texts(ratio))
+            self._labels = _labels_of(self.font(), ratio, self._labels)
+            placing = Placing(ratio * self.zoom.scale, *corner, self._labels)
             self._canvas.compose(size, image, self._shapes, placing, BACKGROUND)
             self._composed = state
         painter.drawImage(0, 0, self._canvas.image)
@@ -279,12 +280,13 @@ class ImageView(QWidget):
             self._titled = made, _title_image(self._title, self.font(), made[2])
         painter.drawPixmap(8, 8, self._titled[1])
 
-    def _texts(self, ratio: float) -> Labels:
-        font = QFont(self.font())
-        font.setPointSizeF(SMALL)
-        if self._labels is None or self._labels.font != font or self._labels.ratio != ratio:
-            self._labels = Labels(font, ratio)
-        return self._labels
+
+def _labels_of(font: QFont, ratio: float, before: Labels | None) -> Labels:
+    """Labels in small letters of ``font``: ``before``, if these are the same."""
+    font = QFont(font)
+    font.setPointSizeF(SMALL)
+    same = before is not None and before.font == font and before.ratio == ratio
+    return before if before is not None and same else Labels(font, ratio)
 
 
 def _title_image(title: str, font: QFont, ratio: float) -> QPixmap:

@@ -25,7 +25,7 @@ BLOCKS = 8
 FEWEST = 10  # pulses in the images
 
 
-class Light(NamedTuple):
+class DelayedLight(NamedTuple):
     """A light: its cell in the grid, its delay and the standard deviation of that in s, and the
     correlation with the commands."""
 
@@ -35,7 +35,7 @@ class Light(NamedTuple):
     correlation: float
 
 
-def find_light(times: Array, cells: Array, pulses: Array) -> Light:
+def find_light(times: Array, cells: Array, pulses: Array) -> DelayedLight:
     """The light among the brightnesses (N, M) of cells at the exposures' ``times`` (N,) s that
     follows ``pulses`` (P, 2): begin and end in s, as commanded.
 
@@ -56,7 +56,9 @@ def find_light(times: Array, cells: Array, pulses: Array) -> Light:
     if not (best > LEAST and chance < DISTINCT * best):
         raise DeviceError(notice("loopback.no_light", correlation=round(max(best, 0.0), 2)))
     delay, best = _refined(times, bright[:, [cell]], pulses, float(grid[k]), frame)
-    return Light(int(cell), delay, _spread(times, bright[:, [cell]], pulses, delay, frame), best)
+    return DelayedLight(
+        int(cell), delay, _spread(times, bright[:, [cell]], pulses, delay, frame), best
+    )
 
 
 def _refined(

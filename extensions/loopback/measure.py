@@ -10,7 +10,7 @@ from typing import NamedTuple, Protocol
 import cv2
 import numpy as np
 
-from extensions.loopback.fit import Light, find_light
+from extensions.loopback.fit import DelayedLight, find_light
 from tracker.base.errors import DeviceError
 from tracker.base.notices import notice
 from tracker.messages import Array, StereoFrame
@@ -31,7 +31,7 @@ class Glove(Protocol):
     def vibrate(self, channel: int, amplitude: int, duration_ms: int) -> bool: ...
 
 
-class Camera(Protocol):
+class TimedCamera(Protocol):
     def read(self, timeout: float) -> StereoFrame | None: ...
 
 
@@ -39,7 +39,7 @@ class LoopBack(NamedTuple):
     """A measurement. ``light``: its delay is that from the command to the light, by the images'
     times; arrival (N,) s: from exposure to arrival of each image; place (2,) px of the light."""
 
-    light: Light
+    light: DelayedLight
     arrival: Array
     place: tuple[int, int]
     pulses: int
@@ -83,7 +83,7 @@ class Pulses:
 
 def measure(
     glove: Glove,
-    camera: Camera,
+    camera: TimedCamera,
     seconds: float,
     channel: int = 0,
     clock: Callable[[], float] = time.monotonic,

@@ -55,22 +55,22 @@ def opensim_body(args: argparse.Namespace) -> int:
     """Write the model and the motion."""
     import numpy as np
 
-    from extensions.movement.motion_file import MotionTable
-    from extensions.movement.whole_body import Placement, WholeBody, combined
+    from extensions.movement.motion_file import MotionCourse
+    from extensions.movement.whole_body import DorsumPlacement, WholeBody, combined
     from tracker.session.export.run import sides_of
     from tracker.session.reader import SessionReader
 
     inputs = [path for path in (args.session, args.body, args.motion) if path is not None]
     check_json(args, inputs)
     body, hands, placed = WholeBody(args.body), {}, {}
-    motion = MotionTable.read(args.motion) if args.motion is not None else None
+    motion = MotionCourse.read(args.motion) if args.motion is not None else None
     own = body.defaults()
     for each in sides_of(args.session) or ("",):
         with SessionReader(args.session, side=each) as reader:
             side = reader.info.hand.side
             numbers = getattr(args, f"place_{side}")
             at = None if numbers is None else np.array(numbers)
-            placed[side] = Placement.of(side, getattr(args, side), at)
+            placed[side] = DorsumPlacement.of(side, getattr(args, side), at)
             hands[side] = body.attach(reader, placed[side])
     table = combined(hands, motion, own, args.offset)
     target = args.output.with_suffix(".mot")

@@ -12,7 +12,7 @@ from tracker.base.notices import notice
 from tracker.messages import Array
 
 
-class MotionTable(NamedTuple):
+class MotionCourse(NamedTuple):
     """t (N,) s; values (N, C) of the coordinates ``names``: rotations in deg or rad, translations
     in m."""
 
@@ -22,7 +22,7 @@ class MotionTable(NamedTuple):
     in_degrees: bool
 
     @staticmethod
-    def read(path: Path) -> MotionTable:
+    def read(path: Path) -> MotionCourse:
         """Raises FileError."""
         try:
             head, _, rest = path.read_text("utf-8").partition("endheader")
@@ -34,7 +34,7 @@ class MotionTable(NamedTuple):
         except (OSError, ValueError) as error:
             raise FileError(notice("file.not_readable", path=path, why=error)) from error
         degrees = "indegrees=yes" in head.replace(" ", "").lower()
-        return MotionTable(table[:, 0], tuple(names), table[:, 1:], degrees)
+        return MotionCourse(table[:, 0], tuple(names), table[:, 1:], degrees)
 
     def write(self, path: Path) -> None:
         columns = ["time", *self.names]

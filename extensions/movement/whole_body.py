@@ -15,7 +15,7 @@ from xml.etree import ElementTree as ET
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from extensions.movement.motion_file import MotionTable
+from extensions.movement.motion_file import MotionCourse
 from extensions.movement.osim import coordinate_values, hand_model
 from tracker.base.errors import ConfigError, FileError
 from tracker.base.notices import notice
@@ -36,7 +36,7 @@ LIGHT = 1e-6  # kg that remain at the segment: OpenSim requires a mass above zer
 PARTS = ("Body", "Joint", "Coordinate", "Marker")
 
 
-class Placement(NamedTuple):
+class DorsumPlacement(NamedTuple):
     """Where the dorsum is in the body's segment: position (3,) m, None: at the wrist joint, and
     rotation (3, 3)."""
 
@@ -45,13 +45,13 @@ class Placement(NamedTuple):
     R: Array
 
     @staticmethod
-    def of(side: str, segment: str = "", numbers: Array | None = None) -> Placement:
+    def of(side: str, segment: str = "", numbers: Array | None = None) -> DorsumPlacement:
         """``numbers`` (6,): position (m) and body-fixed x, y, z rotations (deg)."""
         name = segment or SEGMENTS[side]
         if numbers is None:
-            return Placement(name, None, AXES[side])
+            return DorsumPlacement(name, None, AXES[side])
         R = Rotation.from_euler("XYZ", numbers[3:], degrees=True).as_matrix()
-        return Placement(name, numbers[:3], R)
+        return DorsumPlacement(name, numbers[:3], R)
 
 
 class WholeBody:
@@ -71,7 +71,7 @@ class WholeBody:
             raise FileError(notice("osim.old_model", path=path))
         self._model = model
 
-    def attach(self, reader: SessionReader, placement: Placement) -> EstimateSeries:
+    def attach(self, reader: SessionReader, placement: DorsumPlacement) -> EstimateSeries:
         """Adds the hand of a session; returns its estimates. Raises ConfigError for a segment that
         does not exist."""
         segment = self._segment(placement.segment)
@@ -139,9 +139,9 @@ class WholeBody:
 
 
 def combined(
-    hands: Mapping[str, EstimateSeries], body: MotionTable | None, defaults: Mapping[str, float],
+    hands: Mapping[str, EstimateSeries], body: MotionCourse | None, defaults: Mapping[str, float],
     offset: float = 0.0,
-) -> MotionTable:  # fmt: skip
+) -> MotionCourse:  # fmt: skip
     """The coordinates of the body and of the hands by side. Without a motion of the body, its
     coordinates have their ``defaults``. ``offset``: s of the body's motion at which the session's
     first estimate is. What is lost is NaN.
@@ -151,7 +151,7 @@ def combined(
     first = next(iter(hands.values()))
     if body is None:
         rows = np.tile(list(defaults.values()), (len(first), 1))
-        body = MotionTable(first.elapsed + offset, tuple(defaults), rows, in_degrees=False)
+        body = MotionCourse(first.elapsed + offset, tuple(defaults), rows, in_degrees=False)
     start, end = offset, offset + first.elapsed[-1]
     inside = (body.t >= start) & (body.t <= end)
     if not inside.any():
@@ -163,7 +163,7 @@ def combined(
         elapsed = series.elapsed + (series.stamp_ns[0] - first.stamp_ns[0]) / 1e9 + offset
         names += [f"{side}_{name}" for name in own]
         parts += [np.interp(t, elapsed, column)[:, None] for column in turned.T]
-    return MotionTable(t, tuple(names), np.hstack(parts), body.in_degrees)
+    return MotionCourse(t, tuple(names), np.hstack(parts), body.in_degrees)
 
 
 def _scale(body: ET.Element, share: float) -> None:

@@ -28,7 +28,7 @@ LONGEST_GAP = 0.1
 """s without a packet, after which a window begins again."""
 
 
-class Window(NamedTuple):
+class RestWindow(NamedTuple):
     """Of a second: spread (n,) rad/s, celsius (n,), gyro (n, 3) rad/s, accel (n, 3) m/s²."""
 
     spread: Array
@@ -41,7 +41,7 @@ class Window(NamedTuple):
 class WarmthCollector:
     """Takes packets in order of time; stores the last hour."""
 
-    windows: list[Window] = field(default_factory=list)
+    windows: list[RestWindow] = field(default_factory=list)
     _block: list[ImuSample] = field(default_factory=list)
     _celsius: Array | None = None
 
@@ -65,7 +65,7 @@ class WarmthCollector:
             return
         gyro, accel = (np.array([getattr(s, name) for s in block]) for name in ("gyro", "accel"))
         spread = gyro.std(axis=0).max(axis=1)
-        window = Window(spread, self._celsius, gyro.mean(axis=0), accel.mean(axis=0))
+        window = RestWindow(spread, self._celsius, gyro.mean(axis=0), accel.mean(axis=0))
         self.windows = [*self.windows[1 - MOST_WINDOWS :], window]
 
     def rests(self) -> list[Rests]:
@@ -77,7 +77,7 @@ class WarmthCollector:
         return [at_rest(spread[:, j], celsius[:, j], gyro[:, j], accel[:, j]) for j in range(n)]
 
 
-class Learned(NamedTuple):
+class LearnedDrift(NamedTuple):
     """Slopes by the name of the IMU: ``drift`` improves what was known, ``contradicted`` are IMUs
     whose rests do not match it, in which case the others are not to be trusted either.
     ``sd_before`` and ``sd_after`` are means, rad/s/°C."""
@@ -88,7 +88,7 @@ class Learned(NamedTuple):
     sd_after: float
 
 
-def learn_drift(rests: Mapping[str, Rests], before: Mapping[str, ImuDrift | None]) -> Learned:
+def learn_drift(rests: Mapping[str, Rests], before: Mapping[str, ImuDrift | None]) -> LearnedDrift:
     """What the rests of each IMU teach, given earlier results by the same names."""
     drift, contradicted, sds = {}, [], []
     for name, own in rests.items():
@@ -109,4 +109,4 @@ def learn_drift(rests: Mapping[str, Rests], before: Mapping[str, ImuDrift | None
         drift[name] = new
         sds.append((float(prior_sd.mean()), float(new.gyro_sd.mean())))
     sd_before, sd_after = np.mean(sds, axis=0) if sds else (np.nan, np.nan)
-    return Learned(drift, tuple(contradicted), float(sd_before), float(sd_after))
+    return LearnedDrift(drift, tuple(contradicted), float(sd_before), float(sd_after))

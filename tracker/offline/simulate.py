@@ -170,7 +170,7 @@ def simulate(
     end = min(sim.duration, options.duration + (led.free_from if led else 0.0))
     events = led.events if led else []
     with new_session(out, info, force, params=params) as recorder:
-        temperature = Temperatures(sim)
+        temperature = SimulatedTemperatures(sim)
         for message in with_events(_sensed(sim, info, options.images), events):
             if message.t > end:
                 break
@@ -187,7 +187,7 @@ def _sensed(sim: Simulation, info: SessionInfo, images: bool) -> Iterator[Messag
     return sim.messages(images) if info.rig is not None else sim.imu_samples()
 
 
-class Temperatures:
+class SimulatedTemperatures:
     """Adds the temperatures of the IMUs to a packet once a second, as a glove reports them."""
 
     def __init__(self, sim: Simulation) -> None:
@@ -226,7 +226,7 @@ def _simulate_both(
     infos = {hand.side: hand for hand in info.hands}
     images = "jpeg" if options.images else "none"
     params = RecorderParams(images=images, jpeg_quality=options.jpeg_quality)
-    temperature = {side: Temperatures(hand) for side, hand in sim.hands.items()}
+    temperature = {side: SimulatedTemperatures(hand) for side, hand in sim.hands.items()}
     with new_session(out, info, force, params=params) as recorder:
         for side, message in sim.messages(options.images):
             if isinstance(message, ImuSample):

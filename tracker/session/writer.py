@@ -87,7 +87,7 @@ class SessionRecorder:
         self._free = free(path.parent)
         self._messages = self._frames = self._omitting_images = 0
         if path.parent.is_dir():
-            self._check_room()
+            _check_room(self._free, self.params, self.path.parent, started=False)
         self._out: McapOutput | None = self._open()
         coding = ImageCoding(self.params.images, self.params.jpeg_quality)
         self._arrivals = Arrivals()
@@ -114,16 +114,8 @@ class SessionRecorder:
             out.metadata(CAMERA, shutter_record(self.info.rig))
         if self.info.rig is not None:
             self._put(out, self._encoder.rig(self.info.rig, seconds(self.info.anchor.monotonic_ns)))
-        self._put(out, self._descriptions(now))
+        self._put(out, _descriptions(self.info, now))
         out.close_chunk()
-
-    def _descriptions(self, now: int) -> Iterator[Out]:
-        """The hand as a robot's model, for programs that draw the joints of the session."""
-        robot_description = load_describer()
-        for hand in self.info.hands:
-            topic = topics.description(hand.side, not self.info.others)
-            data = motion.pack_string(robot_description(hand))
-            yield Out(topic, motion.STRING, now, now, data)
 
     @property
     def status(self) -> RecorderStatus:
@@ -220,15 +212,7 @@ class SessionRecorder:
             if m.log_time >= self._next_check:
                 self._next_check = m.log_time + round(self.params.check_disk_s * 1e9)
                 self._free = self._measure_free(self.path.parent)
-                self._check_room()
-
-    def _check_room(self) -> None:
-        if self._free >= self.params.stop_free_gb * GB:
-            return
-        disk, left = self.path.parent, f"{self._free / 1e6:.0f} MB"
-        if self._messages:
-            raise FileError(notice("recording.disk_full_stopped", folder=disk, left=left))
-        raise FileError(notice("recording.disk_full", folder=disk, left=left))
+                _check_room(self._free, self.params, self.path.parent, bool(self._messages))
 
     def _guarded(self, work: Callable[[McapOutput], None]) -> None:
         """Calls ``work``; if the disk fails, closes the file and raises."""
@@ -293,3 +277,22 @@ def _checked(p: RecorderParams) -> RecorderParams:
     if not 1 <= p.jpeg_quality <= 100:
         raise ConfigError(notice("recording.jpeg_quality", quality=p.jpeg_quality))
     return p
+
+
+def _descriptions(info: SessionInfo, now: int) -> Iterator[Out]:
+    """The hands as robots' models, for programs that draw the joints of the session."""
+    robot_description = load_describer()
+    for hand in info.hands:
+        topic = topics.description(hand.side, not info.others)
+        data = motion.pack_string(robot_description(hand))
+        yield Out(topic, motion.STRING, now, now, data)
+
+
+def _check_room(free: float, params: RecorderParams, folder: Path, started: bool) -> None:
+    """Raises FileError if fewer than the necessary bytes are ``free`` in the folder."""
+    if free >= params.stop_free_gb * GB:
+        return
+    left = f"{free / 1e6:.0f} MB"
+    if started:
+        raise FileError(notice("recording.disk_full_stopped", folder=folder, left=left))
+    raise FileError(notice("recording.disk_full", folder=folder, left=left))

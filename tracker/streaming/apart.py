@@ -29,7 +29,7 @@ from tracker.base.notices import Notice, failure
 from tracker.messages import Estimate
 from tracker.streaming.apart_child import serve
 from tracker.streaming.apart_estimate import packed
-from tracker.streaming.apart_messages import Answered, Asked, Counted, Reported
+from tracker.streaming.apart_messages import Counted, Reported, StreamReply, StreamRequest
 from tracker.streaming.attach import HasEstimate, PublishesEstimates, attach
 from tracker.streaming.connection import StreamError
 from tracker.streaming.publisher import Names, Title
@@ -127,7 +127,7 @@ class StreamsProcess:
         number, future = next(self._numbers), Future[Any]()
         self._waiting[number] = future
         try:
-            self._send(Asked(number, do, key, data))
+            self._send(StreamRequest(number, do, key, data))
             return future.result(wait)
         except FutureTimeout as error:
             raise StreamError(failure("stream.process_silent")) from error
@@ -137,7 +137,7 @@ class StreamsProcess:
     def tell(self, do: str, key: int) -> None:
         """Sends a request without an answer."""
         with contextlib.suppress(StreamError):  # the counts report that it has ended
-            self._send(Asked(0, do, key))
+            self._send(StreamRequest(0, do, key))
 
     def counts(self, key: int) -> tuple[StreamCounts, ...]:
         """Counts of one stream for each hand; at most half a second old."""
@@ -184,7 +184,7 @@ class StreamsProcess:
             report = self._reports.get(item.key)
             if report is not None:
                 report(item.what)
-        elif isinstance(item, Answered):
+        elif isinstance(item, StreamReply):
             future = self._waiting.get(item.number)
             if future is not None and item.problem is not None:
                 future.set_exception(StreamError(item.problem))

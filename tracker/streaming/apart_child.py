@@ -17,7 +17,7 @@ from tracker.base.notices import Notice
 from tracker.hand.model import HandModel
 from tracker.messages import Estimate
 from tracker.streaming.apart_estimate import MARK, unpacked
-from tracker.streaming.apart_messages import Answered, Asked, Counted, Reported
+from tracker.streaming.apart_messages import Counted, Reported, StreamReply, StreamRequest
 from tracker.streaming.publisher import Names, Publisher, Title
 from tracker.streaming.registry import STREAMS, close_all, open_stream
 from tracker.streaming.streams import Streams, delivery
@@ -95,7 +95,7 @@ class _Desk:
                 first = stream.first.setdefault(hand, estimate.seq)
                 stream.streams[hand].offer(estimate, estimate.seq - first)
 
-    def ask(self, asked: Asked) -> None:
+    def ask(self, asked: StreamRequest) -> None:
         if asked.do == "start":
             self._answer(asked)
             return
@@ -107,7 +107,7 @@ class _Desk:
         for stream in self._open.values():
             stream.close()
 
-    def _answer(self, asked: Asked) -> None:
+    def _answer(self, asked: StreamRequest) -> None:
         do = {
             "open": self._make,
             "start": self._start,
@@ -118,9 +118,9 @@ class _Desk:
         try:
             result = do[asked.do](asked.key, asked.data)
         except Exception as error:  # noqa: BLE001 - reported to the window
-            self._send(Answered(asked.number, problem=notice_of(error)))
+            self._send(StreamReply(asked.number, problem=notice_of(error)))
         else:
-            self._send(Answered(asked.number, result))
+            self._send(StreamReply(asked.number, result))
 
     def _make(self, key: int, data: Any) -> list[Title]:
         kind, options, hands = data

@@ -10,7 +10,7 @@ from tracker.streaming.streams import StreamCounts
 
 
 @dataclass(frozen=True)
-class Asked:
+class StreamRequest:
     """A request ``number`` about the stream ``key``, with its arguments."""
 
     number: int
@@ -20,7 +20,7 @@ class Asked:
 
 
 @dataclass(frozen=True)
-class Answered:
+class StreamReply:
     """``problem``: why it could not be done."""
 
     number: int

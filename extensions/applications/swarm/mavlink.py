@@ -34,7 +34,7 @@ TARGET_ROW = np.dtype(
 POSITION_ROW = np.dtype([("ms", "<u4"), ("p", "<f4", 3), ("v", "<f4", 3)])
 
 
-class Received(NamedTuple):
+class ReceivedMessage(NamedTuple):
     """A complete message: its id, its sender, and its payload including omitted zeros."""
 
     message: int
@@ -120,13 +120,13 @@ def packets(message: int, payload: Bytes, systems: NDArray[np.uint8], sequence: 
     return out
 
 
-def received(datagrams: Sequence[bytes]) -> list[Received]:
+def received(datagrams: Sequence[bytes]) -> list[ReceivedMessage]:
     """The complete messages of known types in datagrams; damaged ones are ignored.
 
     Messages of equal length are checked together, since a swarm sends hundreds at a time.
     """
     found = [piece for data in datagrams for piece in _pieces(data)]
-    out: list[Received] = []
+    out: list[ReceivedMessage] = []
     for size in sorted({len(piece) for piece in found}):
         same = [piece for piece in found if len(piece) == size]
         rows = np.frombuffer(b"".join(same), np.uint8).reshape(-1, size)
@@ -136,7 +136,7 @@ def received(datagrams: Sequence[bytes]) -> list[Received]:
         for piece in (piece for piece, good in zip(same, right, strict=True) if good):
             message = _message(piece)
             payload = piece[HEAD:-TAIL].ljust(LENGTH[message], b"\0")
-            out.append(Received(message, piece[5], payload))
+            out.append(ReceivedMessage(message, piece[5], payload))
     return out
 
 
@@ -156,13 +156,13 @@ def _message(packet: bytes) -> int:
     return int.from_bytes(packet[7:10], "little")
 
 
-def position_of(message: Received) -> tuple[Array, Array]:
+def position_of(message: ReceivedMessage) -> tuple[Array, Array]:
     """Position p (3,) m and velocity v (3,) m/s in G of a LOCAL_POSITION_NED."""
     row = np.frombuffer(message.payload, POSITION_ROW, 1)[0]
     return to_ned(row["p"].astype(float)), to_ned(row["v"].astype(float))
 
 
-def target_of(message: Received) -> tuple[int, Array, Array]:
+def target_of(message: ReceivedMessage) -> tuple[int, Array, Array]:
     """Target system, and p and v (3,) in G, of a SET_POSITION_TARGET_LOCAL_NED."""
     row = np.frombuffer(message.payload, TARGET_ROW, 1)[0]
     return int(row["system"]), to_ned(row["p"].astype(float)), to_ned(row["v"].astype(float))

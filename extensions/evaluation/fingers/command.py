@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from extensions.evaluation.fingers.trial import TipErrors
 
 
-class FingerRow(NamedTuple):
+class TipRow(NamedTuple):
     """One fingertip, with the cloth or without: mean error (mm), share of instants at which it is
     reported as measured, mean errors (mm) of those instants and of the others (None where there are
     none), and the share of errors within three standard deviations."""
@@ -52,7 +52,7 @@ def evaluate_fingers(args: argparse.Namespace) -> int:
 
     paths = [Path(name) for name in args.sessions]
     check_json(args, paths)
-    rows: list[FingerRow] = []
+    rows: list[TipRow] = []
     for cloth in (False, True):
         found = [
             tips_of(path, args.colours, cloth, progress_line(f"tracking {path.name}"))
@@ -63,7 +63,7 @@ def evaluate_fingers(args: argparse.Namespace) -> int:
     return 0
 
 
-def rows_of(found: Sequence[Mapping[str, TipErrors]], cloth: bool) -> list[FingerRow]:
+def rows_of(found: Sequence[Mapping[str, TipErrors]], cloth: bool) -> list[TipRow]:
     """A row for each fingertip, over all sessions."""
     rows = []
     for tip in dict.fromkeys(name for tips in found for name in tips):
@@ -74,7 +74,7 @@ def rows_of(found: Sequence[Mapping[str, TipErrors]], cloth: bool) -> list[Finge
         seen, other = _mean_mm(error[measured]), _mean_mm(error[~measured])
         mean, share = 1e3 * float(error.mean()), float(measured.mean())
         true = float((error < 3 * sd).mean())
-        rows.append(FingerRow(tip, cloth, mean, share, seen, other, true))
+        rows.append(TipRow(tip, cloth, mean, share, seen, other, true))
     return rows
 
 
@@ -83,7 +83,7 @@ def _mean_mm(error: Array) -> float | None:
     return 1e3 * float(error.mean()) if len(error) else None
 
 
-def table(rows: Sequence[FingerRow]) -> list[str]:
+def table(rows: Sequence[TipRow]) -> list[str]:
     """The table as lines of text."""
     lines = [
         f"{'fingertip':<12}{'cloth':>7}{'error mm':>10}{'measured %':>12}{'measured mm':>13}"

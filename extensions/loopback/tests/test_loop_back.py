@@ -13,7 +13,7 @@ import pytest
 
 from extensions.loopback import measure as measuring
 from extensions.loopback.command import figures, lines
-from extensions.loopback.fit import Light, find_light
+from extensions.loopback.fit import DelayedLight, find_light
 from extensions.loopback.measure import LoopBack, measure
 from tracker.base.errors import DeviceError
 from tracker.cli import main
@@ -130,15 +130,15 @@ def test_devices_are_measured(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_light_before_its_command_is_reported_as_wrong_times() -> None:
-    found = LoopBack(Light(0, -0.012, 0.001, 0.9), np.full(9, 0.03), (8, 8), 30, 900)
+    found = LoopBack(DelayedLight(0, -0.012, 0.001, 0.9), np.full(9, 0.03), (8, 8), 30, 900)
     assert "too early by at least 12.0 ms" in lines(figures(found))[-1]
-    assert len(lines(figures(found._replace(light=Light(0, 0.004, 0.001, 0.9))))) == 4
+    assert len(lines(figures(found._replace(light=DelayedLight(0, 0.004, 0.001, 0.9))))) == 4
 
 
 def test_the_command_writes_json_and_keeps_a_file(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    found = LoopBack(Light(0, 0.004, 0.001, 0.9), np.full(9, 0.03), (8, 8), 30, 900)
+    found = LoopBack(DelayedLight(0, 0.004, 0.001, 0.9), np.full(9, 0.03), (8, 8), 30, 900)
     link = GloveLink(lambda: pytest.fail("not opened"), 7)
     opened = SimpleNamespace(gloves=[SimpleNamespace(source=link)], camera=link)
     monkeypatch.setattr("glovetrack.devices.glove_devices", lambda port: opened)

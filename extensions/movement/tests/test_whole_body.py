@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from extensions.movement.motion_file import MotionTable
+from extensions.movement.motion_file import MotionCourse
 from extensions.movement.tests.arm import BODY, MASS, WRIST
 from extensions.movement.whole_body import AXES, LIGHT
 from tests.notices import raises
@@ -28,7 +28,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory, recorded: RecordedHand) -> 
     (folder / "arm.osim").write_text(BODY)
     t = recorded.recording.t[50:250:20] - recorded.recording.t[0] + OFFSET
     values = np.column_stack([20 + 5 * t, -10 + t])
-    MotionTable(t, ("elbow_flex_r", "wrist_flex_r"), values, True).write(folder / "arm.mot")
+    MotionCourse(t, ("elbow_flex_r", "wrist_flex_r"), values, True).write(folder / "arm.mot")
     given = [str(recorded.path), "--body", str(folder / "arm.osim"), "-o", str(folder / "o.osim")]
     moved = ["--motion", str(folder / "arm.mot"), "--offset", str(OFFSET)]
     assert main(["opensim-body", *given, *moved]) == 0
@@ -49,7 +49,7 @@ def test_the_hand_is_welded_at_the_wrist_and_the_mass_stays(folder: Path) -> Non
     mass = {b.get("name"): float(b.findtext("mass", "")) for b in model.iterfind("*/objects/Body")}
     assert mass["hand_r"] == pytest.approx(LIGHT)
     assert sum(mass.values()) == pytest.approx(1.2 + MASS)
-    motion = MotionTable.read(folder / "o.mot")
+    motion = MotionCourse.read(folder / "o.mot")
     coordinates = {c.get("name") for c in model.iter("Coordinate")}
     assert set(motion.names) == coordinates
     np.testing.assert_allclose(motion.values[:, 0], 20 + 5 * motion.t)
@@ -97,7 +97,7 @@ def test_without_a_motion_the_body_has_its_default_pose(
     given = [str(recorded.path), "--body", str(folder / "arm.osim")]
     place = ["--place-right", "0", "0.1", "0", "0", "0", "90"]
     assert main(["opensim-body", *given, "-o", str(tmp_path / "o.osim"), *place]) == 0
-    motion = MotionTable.read(tmp_path / "o.mot")
+    motion = MotionCourse.read(tmp_path / "o.mot")
     assert not motion.in_degrees
     np.testing.assert_allclose(motion.values[:, 0], 0.3)
     with SessionReader(recorded.path) as reader:
@@ -109,7 +109,7 @@ def test_without_a_motion_the_body_has_its_default_pose(
 def test_what_cannot_be_attached_is_refused(
     folder: Path, recorded: RecordedHand, tmp_path: Path
 ) -> None:
-    from extensions.movement.whole_body import Placement, WholeBody, combined
+    from extensions.movement.whole_body import DorsumPlacement, WholeBody, combined
 
     (tmp_path / "old.osim").write_text(BODY.replace("40000", "30000"))
     with raises(FileError, "osim.old_model"):
@@ -117,7 +117,7 @@ def test_what_cannot_be_attached_is_refused(
     body = WholeBody(folder / "arm.osim")
     with SessionReader(recorded.path) as reader:
         with raises(ConfigError, "osim.no_segment", name="hand"):
-            body.attach(reader, Placement.of("right", "hand"))
-        hands = {"right": body.attach(reader, Placement.of("right"))}
+            body.attach(reader, DorsumPlacement.of("right", "hand"))
+        hands = {"right": body.attach(reader, DorsumPlacement.of("right"))}
     with raises(ConfigError, "osim.no_overlap"):
-        combined(hands, MotionTable.read(folder / "arm.mot"), {}, 90.0)
+        combined(hands, MotionCourse.read(folder / "arm.mot"), {}, 90.0)

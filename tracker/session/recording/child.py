@@ -28,10 +28,10 @@ from tracker.session.recording.wire import (
     Begun,
     End,
     Ended,
-    Failed,
     Item,
     OfHand,
     PackedState,
+    RecordingFailed,
     Sink,
 )
 from tracker.session.ros.sensors import ImageMessage
@@ -141,7 +141,7 @@ def _recorded(begin: Begin, pipe: Connection, inbox: _Inbox) -> bool:
     try:
         recorder = SessionRecorder(begin.path, begin.info, begin.params)
     except (GlovetrackError, OSError) as error:
-        _reply(pipe, Failed(_as_glovetrack_error(error)))
+        _reply(pipe, RecordingFailed(_as_glovetrack_error(error)))
         return True
     _reply(pipe, Begun(recorder.path))
     recording = _Recording(recorder, begin, pipe, inbox)
@@ -195,7 +195,7 @@ class _Recording:
             work()
         except (GlovetrackError, OSError) as error:
             self._failed = True
-            _reply(self._pipe, Failed(_as_glovetrack_error(error)))
+            _reply(self._pipe, RecordingFailed(_as_glovetrack_error(error)))
 
     def _process(self, item: list[Item] | _Signal) -> None:
         if isinstance(item, list):

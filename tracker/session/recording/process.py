@@ -26,10 +26,10 @@ from tracker.session.recording.wire import (
     Begun,
     End,
     Ended,
-    Failed,
     Item,
     OfHand,
     PackedState,
+    RecordingFailed,
     Sink,
 )
 from tracker.session.writer import RecorderParams, SessionRecorder
@@ -147,7 +147,7 @@ class RecorderProcess:
     def __init__(self, prepare: Callable[[], object] | None = None) -> None:
         self._pipe, self._process = start_child("glovetrack-recorder", serve, prepare)
         _limit_sending(self._pipe)
-        self._reported: Failed | None = None
+        self._reported: RecordingFailed | None = None
         self._left = False
         self.path = Path()
 
@@ -168,7 +168,7 @@ class RecorderProcess:
         if isinstance(reply, Begun):
             self.path = reply.path
             return self.path
-        if isinstance(reply, Failed):
+        if isinstance(reply, RecordingFailed):
             raise reply.error
         raise self._ended()
 
@@ -181,19 +181,19 @@ class RecorderProcess:
         """Raises errors of the process."""
         while self._reported is None and self._reply_waits(0.0):
             reply = self._reply(0.0)
-            if isinstance(reply, Failed):
+            if isinstance(reply, RecordingFailed):
                 self._reported = reply
                 raise reply.error
 
     def end(self) -> None:
         """Waits until the file is closed. Raises errors of the process that were not raised yet."""
         self._send(End())
-        failed: Failed | None = None
+        failed: RecordingFailed | None = None
         while True:
             reply = self._reply(END_TIMEOUT)
             if isinstance(reply, Ended):
                 break
-            if not isinstance(reply, Failed):
+            if not isinstance(reply, RecordingFailed):
                 raise self._ended()
             failed = reply
         if failed is not None and self._reported is None:

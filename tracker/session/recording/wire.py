@@ -1,7 +1,7 @@
 """The messages between the window's process and the recorder's, through one pipe.
 
-To the recorder: `Begin`, then lists of `Item`, then `End`. Back: `Begun`, at most one `Failed` at
-any time, and `Ended` in answer to `End`.
+To the recorder: `Begin`, then lists of `Item`, then `End`. Back: `Begun`, at most one
+`RecordingFailed` at any time, and `Ended` in answer to `End`.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ class Begun(NamedTuple):
     path: Path
 
 
-class Failed(NamedTuple):
+class RecordingFailed(NamedTuple):
     """Writing has failed and ended, with the error that a recorder in the same process would
     raise."""
 
@@ -72,4 +72,4 @@ class Failed(NamedTuple):
 
 
 class Ended(NamedTuple):
-    """The file is closed, and whole unless `Failed` was sent before."""
+    """The file is closed, and whole unless `RecordingFailed` was sent before."""
