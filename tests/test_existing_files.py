@@ -62,7 +62,7 @@ class Sessions(NamedTuple):
 def sessions(tmp_path_factory: pytest.TempPathFactory) -> Sessions:
     folder = tmp_path_factory.mktemp("sessions")
     found = Sessions(*(folder / n for n in ("raw.mcap", "tracked.mcap", "again.mcap", "imu.csv")))
-    run("simulate", "-o", found.raw, "--duration", 4, "--fps", 15)
+    run("simulate", "-o", found.raw, "--duration", 4, "--fps", 10)
     run("track", found.raw, "-o", found.tracked, "--with-sensors")
     run("track", found.raw, "-o", found.again, "--engine", "vist")
     run("export", found.tracked, "--format", "imu.csv", "-o", found.table)

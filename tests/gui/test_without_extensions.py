@@ -33,7 +33,10 @@ import sys
 from pathlib import Path
 from PySide6.QtWidgets import QApplication
 from app.storage.settings import SettingsStore
+from app.window import theme
 from app.window.main_window import MainWindow
+
+theme.style_sheet = lambda colours: ""  # half of the time of making a window
 
 class Hidden:
     def __init__(self, name):

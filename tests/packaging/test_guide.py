@@ -63,6 +63,7 @@ ELSEWHERE = {
 }
 """Commands that need a minute, longer recordings, gaps or their own system, and their tests."""
 GROUPS = ("colours", "evaluate", "firmware", "openxr", "remote", "room", "study")
+WITH = " --with-sensors"
 HEAD = "Timestamp (us),Gyroscope X (deg/s),Gyroscope Y (deg/s),Gyroscope Z (deg/s),"
 HEAD += "Accelerometer X (g),Accelerometer Y (g),Accelerometer Z (g)"
 
@@ -93,6 +94,11 @@ def run(line: str) -> int:
         return int(end.code or 0)
 
 
+SIMULATED = r"glovetrack simulate -o \S+ --duration 3 --blobs-only( --seed [123])?"
+TRACKED = tuple(f"glovetrack track session.mcap -o tracked.mcap{more}" for more in ("", WITH))
+"""Lines that the fixture `sessions` runs once for all pages; other seeds than these are run."""
+
+
 class Sessions(NamedTuple):
     """Three seconds without images, as recorded and as tracked."""
 
@@ -105,7 +111,7 @@ def sessions(tmp_path_factory: pytest.TempPathFactory) -> Sessions:
     folder = tmp_path_factory.mktemp("guide")
     made = Sessions(folder / "session.mcap", folder / "tracked.mcap")
     assert run(f"glovetrack simulate -o {made.recorded} --duration 3 --blobs-only") == 0
-    assert run(f"glovetrack track {made.recorded} -o {made.tracked} --with-sensors") == 0
+    assert run(f"glovetrack track {made.recorded} -o {made.tracked}{WITH}") == 0
     return made
 
 
@@ -117,8 +123,10 @@ def ran(
     monkeypatch.chdir(tmp_path)
 
     def run_it(line: str) -> None:
-        if re.fullmatch(r"glovetrack simulate -o \S+ --duration 3 --blobs-only", line):
+        if re.fullmatch(SIMULATED, line):
             shutil.copy(sessions.recorded, shlex.split(line)[3])
+        elif line in TRACKED:
+            shutil.copy(sessions.tracked, "tracked.mcap")
         elif PORT in line:
             _write_firmware(line, monkeypatch)
         else:
