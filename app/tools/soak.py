@@ -24,6 +24,8 @@ from multiprocessing import active_children
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from app.window.sources import demo_factory
+
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 import numpy as np
@@ -265,7 +267,6 @@ def demo_job(choice: DemoChoice, apart: bool, images: int = 0) -> SetupFactory:
     the demo. ``images`` are rendered before."""
     if not apart:
         camera = start_camera(choice=choice, drawn=images)
-        from app.window.sources import demo_factory
 
         return demo_factory(choice, camera=camera)
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from typing import TypeVar
 
 from tracker.base.errors import ConfigError
-from tracker.base.terminal import add_json
+from tracker.base.terminal import add_json, progress_line
 
 Case = TypeVar("Case")
 Figures = TypeVar("Figures")
@@ -34,7 +34,6 @@ def run_trials(
     trial: Trial[Case, Figures], cases: Sequence[Case], args: argparse.Namespace
 ) -> list[Figures]:
     """The figures of all people in each case, case by case. Raises ConfigError if one fails."""
-    from tracker.base.terminal import progress_line
     from tracker.base.workers import WorkItem, run_all, some_workers
 
     seeds = range(args.seed, args.seed + args.participants)

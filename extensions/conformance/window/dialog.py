@@ -20,6 +20,7 @@ from app.wizards.leading.dialog import LeadingDialog
 from app.wizards.leading.outcome import OutcomePage
 from app.wizards.leading.page import LeadingPage
 from app.words import error_text, tr
+from extensions.conformance.page import page
 from extensions.conformance.run import TakeVerdict, judge, read_take
 from extensions.conformance.take import labels_path, write_labels
 from extensions.conformance.window.view_model import CuePhase, FindingRow, ScriptRun, finding_row
@@ -241,8 +242,6 @@ def conformance_job(take: Path) -> Job:
     """A job that returns `Judged`. The steps are notes of the session ``take``."""
 
     def run(progress: JobProgress) -> Judged:
-        from extensions.conformance.page import page
-
         progress(0.1, take.name)
         takes, steps = read_take(take)
         progress(0.6, take.name)

@@ -10,6 +10,7 @@ from extensions.evaluation.trials import add_trials, run_trials
 from tracker.base.command import Command
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
+from tracker.base.terminal import check_json, finish
 
 if TYPE_CHECKING:
     from extensions.evaluation.effects.trial import EffectsFigures
@@ -48,7 +49,6 @@ def add_effects(parser: argparse.ArgumentParser) -> None:
 def evaluate_effects(args: argparse.Namespace) -> int:
     """Track the people with each set of effects and print the figures."""
     from extensions.evaluation.effects.trial import EFFECTS, EffectsCase, run_trial
-    from tracker.base.terminal import check_json, finish
     from tracker.engine.kinds import ENGINES
 
     check_json(args)

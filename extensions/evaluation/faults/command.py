@@ -6,7 +6,7 @@ import argparse
 from typing import TYPE_CHECKING
 
 from tracker.base.command import Command
-from tracker.base.terminal import add_json
+from tracker.base.terminal import add_json, check_json, finish, progress_line
 
 if TYPE_CHECKING:
     from extensions.evaluation.faults.drill import DrillReport
@@ -22,7 +22,6 @@ def add_faults(parser: argparse.ArgumentParser) -> None:
 def evaluate_faults(args: argparse.Namespace) -> int:
     """Run the drill; returns exit status 1 if an error was not reported."""
     from extensions.evaluation.faults.drill import drill
-    from tracker.base.terminal import check_json, finish, progress_line
 
     check_json(args)
     report = drill(max(args.count, 1), args.seed, progress=progress_line("failing"))

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from tracker.base.command import Command
-from tracker.base.terminal import add_json
+from tracker.base.terminal import add_json, check_json, finish, progress_line
 from tracker.messages import Array
 
 if TYPE_CHECKING:
@@ -48,7 +48,6 @@ def add_fingers(parser: argparse.ArgumentParser) -> None:
 def evaluate_fingers(args: argparse.Namespace) -> int:
     """Track each session with and without the cloth and print the figures of all together."""
     from extensions.evaluation.fingers.trial import tips_of
-    from tracker.base.terminal import check_json, finish, progress_line
 
     paths = [Path(name) for name in args.sessions]
     check_json(args, paths)

@@ -10,6 +10,7 @@ from extensions.evaluation.trials import add_trials, run_trials
 from tracker.base.command import Command
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
+from tracker.base.terminal import check_json, finish
 
 if TYPE_CHECKING:
     from extensions.evaluation.gaps.trial import GapsFigures
@@ -75,7 +76,6 @@ def add_gaps(parser: argparse.ArgumentParser) -> None:
 def evaluate_gaps(args: argparse.Namespace) -> int:
     """Track the people with gaps of each duration and print the figures."""
     from extensions.evaluation.gaps.trial import GapsCase, run_trial
-    from tracker.base.terminal import check_json, finish
     from tracker.engine.kinds import ENGINES
 
     check_json(args)

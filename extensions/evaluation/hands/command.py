@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from tracker.base.command import Command
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
-from tracker.base.terminal import add_json
+from tracker.base.terminal import add_json, check_json, finish, progress_line
 
 if TYPE_CHECKING:
     from extensions.evaluation.hands.trial import HandFigures
@@ -45,7 +45,6 @@ def add_hands(parser: argparse.ArgumentParser) -> None:
 def evaluate_hands(args: argparse.Namespace) -> int:
     """Track the pairs and print the figures."""
     from extensions.evaluation.hands.trial import run_trial
-    from tracker.base.terminal import check_json, finish, progress_line
     from tracker.base.workers import WorkItem, run_all, some_workers
     from tracker.engine.kinds import ENGINES
 

@@ -10,6 +10,7 @@ from extensions.evaluation.trials import add_trials, run_trials
 from tracker.base.command import Command
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
+from tracker.base.terminal import check_json, finish
 
 if TYPE_CHECKING:
     from extensions.evaluation.shutter.trial import ShutterFigures
@@ -73,7 +74,6 @@ def add_shutter(parser: argparse.ArgumentParser) -> None:
 def evaluate_shutter(args: argparse.Namespace) -> int:
     """Track the people in front of three cameras each and print the figures."""
     from extensions.evaluation.shutter.trial import ShutterCase, run_trial
-    from tracker.base.terminal import check_json, finish
     from tracker.engine.kinds import ENGINES
 
     check_json(args)

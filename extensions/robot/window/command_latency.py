@@ -17,6 +17,13 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from app.storage.settings import SettingsStore
+from app.window.headless_report import wait_until
+from app.window.main_window import MainWindow
+from app.window.pauses import keep_pauses_short
+from app.window.sources import demo_factory, hardware_factory
+from tracker.session.latency import latencies_of
+
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 from PySide6.QtWidgets import QApplication
@@ -77,12 +84,6 @@ def measure(args: argparse.Namespace, folder: Path) -> dict[str, Any]:
 
     choice = DemoChoice(args.fps, motion=args.motion)
     camera = None if args.devices else start_camera(choice=choice)
-    from app.storage.settings import SettingsStore
-    from app.window.headless_report import wait_until
-    from app.window.main_window import MainWindow
-    from app.window.pauses import keep_pauses_short
-    from app.window.sources import demo_factory, hardware_factory
-    from tracker.session.latency import latencies_of
 
     folder.mkdir(parents=True, exist_ok=True)
     window = MainWindow(SettingsStore(folder / SETTINGS))
@@ -126,8 +127,6 @@ def measure(args: argparse.Namespace, folder: Path) -> dict[str, Any]:
 
 def _begin(window: MainWindow, parts: Sequence[str], shown: bool) -> None:
     """Let applications and robot run."""
-    from app.window.headless_report import wait_until
-
     if "touch" in parts:
         if shown:
             window.show_panel("applications")

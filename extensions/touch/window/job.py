@@ -9,6 +9,8 @@ from typing import NamedTuple
 
 from app.platform.subprocess_job import run_in_subprocess
 from app.platform.tasks import Job, JobProgress
+from extensions.touch.analyse import analyse
+from extensions.touch.report import write_report
 
 
 class Written(NamedTuple):
@@ -29,8 +31,6 @@ def touch_job(session: Path) -> Job:
 
 
 def _write(session: Path, progress: Callable[..., None]) -> Written:
-    from extensions.touch.analyse import analyse
-    from extensions.touch.report import write_report
 
     result = analyse(session, watch=progress)
     page, n = session.with_name(f"{session.stem}-touch-test.html"), 1
