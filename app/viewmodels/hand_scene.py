@@ -11,7 +11,6 @@ import numpy as np
 
 from app.engines.engine import EngineSetup
 from app.engines.snapshot import Snapshot
-from app.viewmodels.camera_overlay import VISIBLE
 from app.viewmodels.hand_skin import scales
 from app.words import tr
 from tracker.hand.model import HandModel
@@ -319,11 +318,3 @@ def segment_states(hand: HandModel, estimate: Estimate, located: bool) -> IntArr
     out = estimate.angle_state[columns].min(axis=1).astype(np.int64)
     out[rigid] = estimate.keypoint_state[0] if located else Validity.LOST
     return out
-
-
-def visible_count(result: FrameResult | None) -> tuple[int, int]:
-    """Number of markers matched in any image, and of those expected to be visible."""
-    if result is None:
-        return 0, 0
-    matched = (result.match_left >= 0) | (result.match_right >= 0)
-    return int(matched.sum()), int((result.visible >= VISIBLE).sum())

@@ -100,10 +100,6 @@ class MessageBar(QWidget):
             self._timer.stop()
             self.hide()
 
-    def is_about(self, about: str) -> bool:
-        """Whether a message about this topic is shown."""
-        return self.isVisible() and self._about == about
-
     def no_longer(self, about: str) -> None:
         """Hide the message about this topic: it is obsolete."""
         if self._about == about:

@@ -15,7 +15,6 @@ from tracker.calibration.colours_fit import (
     hue_interval,
     parted,
     remove_pixel,
-    room_clashes,
 )
 from tracker.vision.colours import HUES, ColourProfile, HueRange
 
@@ -108,12 +107,3 @@ def test_split_ranges_do_not_clash() -> None:
     assert not a.overlaps(b)
     assert (a.hue[0], b.hue[1]) == (170, 20)
     assert (b.hue[0] - a.hue[1]) % HUES == 1
-
-
-def test_room_report_names_the_worst_hue_first() -> None:
-    room = np.full((100, 100, 3), 128, np.uint8)
-    room[:30] = (50, 175, 40)  # green
-    room[30:40] = (40, 40, 215)  # red
-    report = room_clashes(room, PROFILE)
-    assert [c.hue for c in report] == ["green", "red"]
-    assert [c.share for c in report] == pytest.approx([0.3, 0.1])

@@ -8,7 +8,6 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -147,10 +146,8 @@ def parted(hues: tuple[HueRange, ...]) -> tuple[HueRange, ...]:
 
 @dataclass(frozen=True)
 class Clash:
-    """``hue`` shares colours with ``other`` (another hue's name, or "room"); share in 0..1.
-
-    For two hues, the share of the narrower interval; for the room, the share of the image's pixels.
-    """
+    """``hue`` shares colours with ``other`` (another hue's name): ``share`` (0..1) of the narrower
+    interval."""
 
     hue: str
     other: str
@@ -168,13 +165,3 @@ def clashes(profile: ColourProfile) -> tuple[Clash, ...]:
                 share = np.sum(mine & theirs) / min(mine.sum(), theirs.sum())
                 out.append(Clash(a.name, b.name, float(share)))
     return tuple(out)
-
-
-def room_clashes(
-    empty_room: Image, profile: ColourProfile, least_share: float = 1e-4
-) -> tuple[Clash, ...]:
-    """Hues already present in a BGR image without the glove, worst first."""
-    hsv = np.asarray(cv2.cvtColor(empty_room, cv2.COLOR_BGR2HSV), np.uint8)
-    shares = [Clash(h.name, "room", float(h.contains(hsv).mean())) for h in profile.hues]
-    worst = sorted(shares, key=lambda c: -c.share)
-    return tuple(c for c in worst if c.share >= least_share)

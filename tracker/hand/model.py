@@ -11,7 +11,7 @@ from functools import cached_property
 import numpy as np
 
 from tracker.geometry import so3
-from tracker.hand.names import AXES, KEYPOINTS, SEGMENTS
+from tracker.hand.names import AXES, KEYPOINTS
 from tracker.messages import Array
 
 
@@ -201,10 +201,6 @@ class HandModel:
         seg = list(self.keypoint_segment)
         offset = self.keypoint_offset if scale is None else self.keypoint_offset * scale[seg]
         return p[seg] + np.einsum("kij,kj->ki", R[seg], offset)
-
-    @staticmethod
-    def known_segment(name: str) -> bool:
-        return name in SEGMENTS
 
 
 def _inferred_limits(angles: Array, inferred: Array, limits: Array) -> tuple[Array, Array]:

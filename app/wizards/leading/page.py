@@ -94,11 +94,6 @@ class PoseStage(QWidget):
 
         self._skins.run(make, self._put_on)
 
-    @property
-    def is_ready(self) -> bool:
-        """Whether the mesh is available."""
-        return self._skin is not None
-
     def _put_on(self, skin: HandSkin) -> None:
         scene = self.view.scene
         if scene is None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -40,12 +40,6 @@ class WearerProfile:
     P: Array
     synergies: Synergies | None = None
     axis: Array = field(default_factory=lambda: np.zeros(0))
-
-    def reversed_in_time(self, layout: ChainLayout) -> WearerProfile:
-        """For data in reverse order: gyro readings change sign, and so does their bias."""
-        sign = np.ones(len(self.P))
-        sign[: layout.blocks.phi - layout.blocks.bg] = -1.0
-        return replace(self, bg=-self.bg, P=self.P * np.outer(sign, sign))
 
 
 def profile_of(state: ChainState, layout: ChainLayout) -> WearerProfile:
