@@ -71,12 +71,12 @@ def test_one_camera_tracks_and_reports_its_uncertainty(hand, glove, blind: str) 
     error = np.array(errors[10:])
     assert error.mean() < 0.030
     sds = np.array([sd_of_sensed_digits(glove, hand, e) for e in late])
-    assert np.all(sds > 0.008)  # 5 % of the distance, over three axes
+    assert np.all(sds > 0.010)  # 6.5 % of the distance, over three axes
     assert np.mean(error < 3 * np.sqrt(3) * sds) > 0.95
     found = pipeline.calibration()
-    assert found.hand_length_sd == pytest.approx(0.05 * found.hand_length, rel=0.01)
+    assert found.hand_length_sd == pytest.approx(0.065 * found.hand_length, rel=0.01)
     assert abs(found.hand_length - sim.wearer.hand_length) < 3 * found.hand_length_sd
-    assert np.nanmin(found.scale_sd) >= 0.05  # not the value that the filter fixes
+    assert np.nanmin(found.scale_sd) >= 0.065  # not the value that the filter fixes
 
 
 def sd_of_sensed_digits(glove, hand, estimate) -> float:
@@ -134,9 +134,10 @@ def measured_after(
 def test_a_start_in_few_images_is_not_measured_before_it_is_correct(hand, glove) -> None:
     """At ten images per second markers matched their neighbours' blobs: 8 cm wrong, with a small
     sd."""
-    worst = measured_after(hand, glove, 2, 3.1)
-    assert len(worst) > 30
-    assert max(worst) < 0.05
+    assert max(measured_after(hand, glove, 2, 3.1), default=0.0) < 0.05
+    found = measured_after(hand, glove, 3, 4.0)
+    assert found, "nothing is ever measured"
+    assert max(found) < 0.05
 
 
 def test_a_hand_with_few_matches_is_not_measured_while_most_blobs_are_unmatched(
@@ -155,5 +156,5 @@ def test_a_small_hand_mistaken_for_a_distant_one_is_not_measured_beyond_5_cm(han
     assert max(measured_after(hand, glove, 9, 2.8), default=0.0) < 0.05
     assert max(measured_after(hand, glove, 57, 3.1, fps=30.0), default=0.0) < 0.05
     nearer = measured_after(hand, glove, 18, 1.0, fps=30.0)
-    assert len(nearer) > 40
+    assert len(nearer) > 15
     assert max(nearer) < 0.05

@@ -159,7 +159,9 @@ class ChainTracker:
         self._judge.looked(frame.t, image.most_blobs)
         # 4. Occasionally the calibration is solved for again.
         still = self._recognition.at_once(self.state, image, found)
-        self.wearer.calibration.refine(self.state, still, found, self._buffer, self.wearer.guided)
+        calibration, one_camera = self.wearer.calibration, self.confidence.saved.one_camera
+        side = calibration.side_information(self.wearer.guided, one_camera)
+        calibration.refine(self.state, still, found, self._buffer, side)
         return result
 
     def _if_back(self, image: SeenImage, found: Recognised) -> Recognised:

@@ -9,6 +9,7 @@ import numpy as np
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.profile import WearerProfile
 from tracker.fusion.chain.reports import length_gain
+from tracker.fusion.chain.start.mono_start import SIZE_KEPT
 
 
 def size_sd(profile: WearerProfile, layout: ChainLayout) -> float:
@@ -17,6 +18,16 @@ def size_sd(profile: WearerProfile, layout: ChainLayout) -> float:
     rows = slice(layout.blocks.scale - first, layout.blocks.joint - first, 2)
     variance = max(float(gain @ profile.P[rows, rows] @ gain), 0.0)
     return float(np.sqrt(variance) / (gain @ profile.scale[:, 0]))
+
+
+def with_kept_size(profile: WearerProfile, layout: ChainLayout) -> WearerProfile:
+    """A copy whose sizes are as certain as in a filter after a start with one camera (eq. 43)."""
+    first = layout.n_dynamic
+    rows = slice(layout.blocks.scale - first, layout.blocks.joint - first)
+    P = profile.P.copy()
+    P[rows, :] *= SIZE_KEPT
+    P[:, rows] *= SIZE_KEPT
+    return replace(profile, P=P)
 
 
 def with_min_size_sd(profile: WearerProfile, layout: ChainLayout, sd: float) -> WearerProfile:

@@ -10,14 +10,15 @@ from tracker.fusion.chain.bundle.keyframes import keyframe_of
 from tracker.fusion.chain.bundle.solver import Bundle, BundleWork, SideInformation, adopt
 from tracker.fusion.chain.calibration import control
 from tracker.fusion.chain.calibration.glove_check import GloveCheck
-from tracker.fusion.chain.calibration.size import size_sd, with_min_size_sd
+from tracker.fusion.chain.calibration.size import size_sd, with_kept_size, with_min_size_sd
 from tracker.fusion.chain.guided.learning import GuidedLearning
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
+from tracker.fusion.chain.prior import initial_covariance
 from tracker.fusion.chain.profile import WearerProfile, profile_of, wear
 from tracker.fusion.chain.recognition import Recognised, SeenImage
 from tracker.fusion.chain.reports import calibration_of
-from tracker.fusion.chain.state import ChainState
+from tracker.fusion.chain.state import ChainState, initial_state
 from tracker.fusion.time.imu_buffer import ImuBuffer
 from tracker.geometry.kernels import relative_rotations
 from tracker.messages import Calibration
@@ -41,6 +42,9 @@ class WearerCalibration:
         self._layout, self._params = layout, params
         self._bundle = Bundle(layout, rig, params)
         self.glove_check = GloveCheck(layout, rig, params)
+        usual = initial_state(layout)
+        usual.P = initial_covariance(layout, params.prior)
+        self._population = profile_of(usual, layout)
         self.saved = WearerSavedState()
 
     @property
@@ -113,6 +117,14 @@ class WearerCalibration:
 
     # ---- while tracking
 
+    def side_information(self, poses: GuidedLearning, one_camera: bool) -> SideInformation:
+        """What is known besides images. ``one_camera``: only one has seen the hand since its start,
+        so postures do not measure its size, which remains that of the start."""
+        known = self.saved.known
+        if one_camera:
+            known = with_kept_size(known or self._population, self._layout)
+        return SideInformation(poses, known)
+
     def begin(self, state: ChainState) -> None:
         """A new start: apply the frozen calibration."""
         if self.saved.held is not None:
@@ -125,15 +137,15 @@ class WearerCalibration:
         image: SeenImage,
         found: Recognised,
         buffer: ImuBuffer,
-        poses: GuidedLearning,
+        side: SideInformation,
     ) -> None:
-        """Stores a suitable posture and performs one step of the keyframe bundle, unless the
-        calibration is frozen."""
+        """Stores a suitable posture and performs one step of the keyframe bundle with the
+        information besides images, unless the calibration is frozen."""
         if not self._params.bundle.enabled or self.is_frozen:
             return
         self._remember(state, image, found, buffer)
         self.glove_check.image(state, image, found, buffer, self.saved.known)
-        solved = self._bundle.step(self.saved.work, state, SideInformation(poses, self.saved.known))
+        solved = self._bundle.step(self.saved.work, state, side)
         if solved is not None:
             adopt(state, self._layout, solved)
 

@@ -25,10 +25,10 @@ from tracker.kernels.arrays import IntVector, Matrix, Vector
 from tracker.messages import Array, CameraPose, IntArray
 
 SIZE_KEPT = 0.1  # factor on the size's standard deviation at a start with one camera
-SIZE_SD = 0.05  # relative, of the population: the distance uncertainty after such a start
+SIZE_SD = 0.065  # relative, of the population: the distance uncertainty after such a start
 KNOWN_SIZE_SD = 0.015  # lower limit: with a ruler, or two cameras
 WRONG = 0.05  # m, maximum error of a measured point
-SIZE_SDS, POSE_SDS = 1.8, 4.0  # standard deviations of size and pose within that
+SIZE_SDS, POSE_SDS = 1.5, 4.0  # standard deviations of size and pose within that
 
 
 @dataclass(frozen=True)
