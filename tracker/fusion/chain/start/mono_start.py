@@ -28,7 +28,7 @@ SIZE_KEPT = 0.1  # factor on the size's standard deviation at a start with one c
 SIZE_SD = 0.065  # relative, of the population: the distance uncertainty after such a start
 KNOWN_SIZE_SD = 0.015  # lower limit: with a ruler, or two cameras
 WRONG = 0.05  # m, maximum error of a measured point
-SIZE_SDS, POSE_SDS = 1.5, 4.0  # standard deviations of size and pose within that
+SIZE_SDS, POSE_SDS = 2.2, 4.0  # standard deviations of size and pose within that
 
 
 @dataclass(frozen=True)
