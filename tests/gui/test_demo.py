@@ -8,7 +8,6 @@ from unittest.mock import ANY
 import numpy as np
 import pytest
 
-from app.engines.demo import demo_setup
 from app.engines.demo_camera import DemoChoice, demo_spec
 from app.jobs.export import ExportRequest
 from app.window.headless_report import wait_until
@@ -91,6 +90,7 @@ def test_demo_record_stop_replay_export(demo, qtbot, tmp_path):
 
 @pytest.mark.timeout(180)
 def test_the_wearer_follows_the_guidance_and_closing_leaves_a_complete_file(demo, qtbot, tmp_path):
+    _check_truth(demo.host.setup.truth.at(time.monotonic() + 1.0))
     demo.recording.set_folder(tmp_path)
     demo.commands.actions["record"].trigger()
     path = demo.host.recording.request.path
@@ -189,13 +189,9 @@ def test_one_hand_is_over_a_desk_on_a_fast_computer():
     assert [demo_spec(1, choice).light for choice in asked] == ["led", "", ""]
 
 
-@pytest.mark.timeout(120)
-def test_the_truth_of_the_demo_is_the_simulated_hand(no_leaks):
-    setup = demo_setup(lambda *_: None, 1, DemoChoice())
+def _check_truth(true):
+    """A simulated hand of the demo has the model's keypoints, and bones of about its lengths."""
     hand, glove, _ = models()
-    true = setup.truth.at(time.monotonic() + 1.0)
-    setup.engine.stop()
-    setup.close()
     assert true.keypoints.shape == (len(glove.keypoint_names(hand)), 3)
     lengths = np.linalg.norm(np.diff(true.keypoints[5:9], axis=0), axis=1)
     nominal = [hand.segments[hand.index[f"index_{p}"]].length for p in ("proximal", "intermediate")]
