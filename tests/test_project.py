@@ -213,6 +213,7 @@ THREADS = {
 
 CLOCKS = {
     "tracker/doctor/command.py": "when the report was made",
+    "tracker/base/urgency.py": "how much of a processor a real-time thread uses",
     "tracker/doctor/machine.py": "rates of devices and of the disk",
     "tracker/doctor/speed.py": "how long tracking takes",
     "app/engines/demo.py": "begins now",
