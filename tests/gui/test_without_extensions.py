@@ -1,4 +1,4 @@
-"""Each extension's folder can be removed: the window starts without it."""
+"""Each extension's folder can be removed: the window and the command line start without it."""
 
 import json
 import os
@@ -27,6 +27,8 @@ PARTS = {
 }  # fmt: skip
 """What the window loses with each folder; nothing with the others."""
 STARTS = """
+import contextlib
+import io
 import json
 import os
 import sys
@@ -58,6 +60,14 @@ def parts(folder):
     window.close()
     return parts
 
+def describe_commands():
+    from tracker.cli import main
+
+    for words in ([], ["track"], ["export"]):
+        with contextlib.redirect_stdout(io.StringIO()) as text, contextlib.suppress(SystemExit):
+            main([*words, "--help"])
+        assert text.getvalue().startswith("usage: glovetrack"), words
+
 assert not [name for name in sys.modules if name.startswith("extensions.")]
 for extension in sys.argv[2:]:
     folder = Path(sys.argv[1]) / extension
@@ -66,6 +76,7 @@ for extension in sys.argv[2:]:
     if child == 0:
         sys.meta_path.insert(0, Hidden(f"extensions.{extension}"))
         (folder / "parts.json").write_text(json.dumps(parts(folder)))
+        describe_commands()
         sys.stdout.flush()
         os._exit(0)
     assert os.waitpid(child, 0)[1] == 0, extension

@@ -14,7 +14,8 @@ from tracker.base.notices import notice
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
 from tracker.fusion.chain.calibration.glove_fit import COLLECT, GloveFit, fit_glove
-from tracker.fusion.chain.engine import ChainEngine
+from tracker.fusion.chain.engine import ChainSavedState
+from tracker.fusion.chain.layout import ChainLayout
 from tracker.glove.files import parse_glove
 from tracker.glove.fitted import Fitted, with_fit
 from tracker.glove.model import GloveModel
@@ -53,19 +54,19 @@ def fit_session(
             raise FileError(notice("fit_glove.two_hands", path=source))
         if info.rig is None or info.rig.one_camera:
             raise FileError(notice("fit_glove.no_camera", path=source))
-        rig, engine = reader.rig(), _tracked(reader, progress)
-    state = engine.get_state().tracker
-    frames = state.wearer.work.keyframes.stored
-    fit = fit_glove(engine.layout, rig, frames, state.filter.state)
+        rig, state = reader.rig(), _tracked(reader, progress)
+    frames = state.tracker.wearer.work.keyframes.stored
+    layout = ChainLayout(info.hand, info.glove)
+    fit = fit_glove(layout, rig, frames, state.tracker.filter.state)
     text = with_fit(info.glove_text, fitted(info.glove, fit))
     parse_glove(text, info.hand, source.name)
     return FittedGlove(fit, len(frames), text, info.glove, info.hand)
 
 
-def _tracked(reader: SessionReader, progress: Callable[[float], None]) -> ChainEngine:
-    """The engine after all messages, with the postures that it stored."""
+def _tracked(reader: SessionReader, progress: Callable[[float], None]) -> ChainSavedState:
+    """The state of the engine after all messages, with the postures that it stored."""
     info, usual = reader.info, Settings()
-    settings = replace(usual, chain=replace(usual.chain, bundle=COLLECT))
+    settings = replace(usual, engine="chain", chain=replace(usual.chain, bundle=COLLECT))
     pipeline = Pipeline(info.hand, info.glove, reader.rig(), settings)
     start, span = reader.anchor.monotonic(reader.span_ns[0]), max(reader.duration, 1e-9)
     for message in recorded_messages(reader):
@@ -77,8 +78,8 @@ def _tracked(reader: SessionReader, progress: Callable[[float], None]) -> ChainE
             pipeline.feed_frame(message)
         pipeline.take_results()
         progress(min(max((arrival(message) - start) / span, 0.0), 1.0))
-    assert isinstance(pipeline.engine, ChainEngine)
-    return pipeline.engine
+    state: ChainSavedState = pipeline.engine.get_state()
+    return state
 
 
 def fitted(glove: GloveModel, fit: GloveFit) -> Fitted:
