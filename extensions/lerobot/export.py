@@ -16,13 +16,13 @@ from extensions.lerobot.plan import plan
 from tracker import __version__
 from tracker.base.errors import GlovetrackError
 from tracker.base.files import check_target, sha256, whole_files
+from tracker.base.urgency import usable_cores
 from tracker.base.workers import (
     ALL_CORES,
     WorkersAsked,
     WorkItem,
     run_all,
     some_workers,
-    usable_cores,
 )
 from tracker.session.export.options import VIDEO, ExportOptions
 from tracker.session.export.sidecar import forget_orphan

@@ -22,7 +22,8 @@ from extensions.study.folder import Study
 from extensions.study.retrack import Variant, chosen
 from tracker.base.errors import ConfigError, GlovetrackError
 from tracker.base.notices import failure
-from tracker.base.workers import WorkItem, run_all, some_workers, usable_cores
+from tracker.base.urgency import usable_cores
+from tracker.base.workers import WorkItem, run_all, some_workers
 from tracker.hand.names import MARKED_KEYPOINTS
 from tracker.session.reader import SessionReader
 

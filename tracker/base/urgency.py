@@ -114,7 +114,7 @@ class UrgencyGuard:
     the desktop would stop. It returns after `REST` s."""
 
     def __init__(self, cores: int | None = None) -> None:
-        self._most = (cores or os.cpu_count() or 1) - SPARED
+        self._most = (cores or usable_cores()) - SPARED
         self._checked = time.monotonic(), time.process_time()
         self._urgent, self._until = is_real_time(), 0.0
 
@@ -136,6 +136,11 @@ class UrgencyGuard:
             self._until = 0.0
             for thread in _threads():
                 _set_real_time(thread)
+
+
+def usable_cores() -> int:
+    """Cores that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _threads() -> list[int]:

@@ -7,7 +7,6 @@ the work that is done, and may be called as often as it likes.
 from __future__ import annotations
 
 import multiprocessing
-import os
 import queue
 import time
 from collections.abc import Callable, Iterator, Sequence
@@ -82,11 +81,6 @@ class Workers(Protocol):
     def stop(self) -> StopFlag: ...
 
     def submit(self, function: Callable[..., Any], *arguments: Any) -> Future[Any]: ...
-
-
-def usable_cores() -> int:
-    """Cores that this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 @contextmanager

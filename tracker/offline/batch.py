@@ -10,6 +10,7 @@ from typing import Any
 from tracker.base.errors import ConfigError
 from tracker.base.files import make_folder
 from tracker.base.notices import notice
+from tracker.base.urgency import usable_cores
 from tracker.base.workers import (
     ALL_CORES,
     TaskOutcome,
@@ -17,7 +18,6 @@ from tracker.base.workers import (
     WorkItem,
     run_all,
     some_workers,
-    usable_cores,
 )
 from tracker.offline.options import TrackOptions
 from tracker.offline.track import track

@@ -17,7 +17,7 @@ from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import check_target, sha256
 from tracker.base.notices import Notice, notice, warning
 from tracker.base.toml_reader import parse_toml, read_text
-from tracker.base.workers import usable_cores
+from tracker.base.urgency import usable_cores
 from tracker.engine.hands import Sided
 from tracker.engine.kinds import (
     ENGINES,

@@ -245,7 +245,8 @@ def _verify_result(path: Path, findings: list[FileFinding]) -> tuple[dict[str, A
 
 def _verify_many(paths: list[Path]) -> tuple[dict[str, Any], list[str]]:
     """In parallel, on all cores; a file that is not a session counts as damaged."""
-    from tracker.base.workers import WorkItem, run_all, some_workers, usable_cores
+    from tracker.base.urgency import usable_cores
+    from tracker.base.workers import WorkItem, run_all, some_workers
     from tracker.session.verify import FileFinding, verify_one
 
     tasks = [WorkItem(verify_one, (path.absolute(),)) for path in paths]
