@@ -28,7 +28,7 @@ class DemoSource:
     drawn: int = 0
 
     def prepare(self) -> None:
-        import app.engines.demo  # noqa: F401 - for `build`
+        from app.engines import demo  # noqa: F401 - for `build`
         from app.engines.warm_up import load_engine  # deferred: loads every engine
 
         hand, glove = FILES["right"]

@@ -43,7 +43,7 @@ class DeviceSource:
     settings: AppSettings
 
     def prepare(self) -> None:
-        import app.engines.hardware  # noqa: F401 - for `build`
+        from app.engines import hardware  # noqa: F401 - for `build`
         from app.engines.warm_up import load_engine  # deferred: loads every engine
 
         load_engine(self.settings.glove, self.settings.hand)
