@@ -14,7 +14,7 @@ from tracker.messages import Array, Estimate
 from tracker.session.reader import SessionReader
 from tracker.streaming.publisher import Names
 
-__all__ = ["RecordedHand", "assert_near", "assert_parallel"]
+__all__ = ["NEAR_DEG", "RecordedHand", "assert_near", "assert_parallel"]
 COUNT = 20
 NEAR_M, NEAR_DEG = 1e-4, 0.1
 OPENXR_OF_G = np.array([[0.0, -1, 0], [0, 0, 1], [-1, 0, 0]])  # x right, y up, -z forward
@@ -79,6 +79,14 @@ class RecordedHand:
             for joint, name in OPENXR_JOINTS.items()
         }
 
+    def rate_change_deg(self, e: Estimate, joint: str) -> float:
+        """At most how much the rate (°/s) of an OpenXR joint's rotation changes at ``e``."""
+        row, q = self._row(e), self.recording.hand.orientations[OPENXR_JOINTS[joint]]
+        rows = slice(max(row - 1, 0), row + 2)
+        turned = Rotation.from_quat(q[rows][:-1]).inv() * Rotation.from_quat(q[rows][1:])
+        seconds = np.diff(self.recording.t_unix_ns[rows]) / 1e9
+        return float(np.rad2deg(turned.magnitude() / seconds).sum())
+
     def _row(self, e: Estimate) -> int:
         (row,) = np.flatnonzero(np.abs(self.recording.t_unix_ns - self.names.wall_ns(e.t)) < 1000)
         return int(row)
@@ -89,6 +97,5 @@ def assert_near(found: Array, wanted: Array) -> None:
     assert np.linalg.norm(np.asarray(found) - wanted, axis=-1).max() < NEAR_M
 
 
-def assert_parallel(found: Rotation, wanted: Rotation) -> None:
-    """Within 0.1°."""
-    assert np.rad2deg((found * wanted.inv()).magnitude()).max() < NEAR_DEG
+def assert_parallel(found: Rotation, wanted: Rotation, near_deg: float = NEAR_DEG) -> None:
+    assert np.rad2deg((found * wanted.inv()).magnitude()).max() < near_deg
