@@ -14,7 +14,6 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import least_squares
 
 from tracker import GRAVITY
 from tracker.geometry import so3
@@ -185,6 +184,8 @@ class AxesResult(NamedTuple):
 
 def fit_axes(found: RestFinder, imu: int) -> AxesResult | None:
     """The correction of one IMU by least squares; None if it has fewer than `FEWEST` rests."""
+    from scipy.optimize import least_squares  # deferred: slow to load
+
     rests = found.rests
     accel = np.array([r.accel[imu] for r in rests]).reshape(-1, 3)
     if np.isfinite(accel).all(axis=1).sum() < FEWEST:

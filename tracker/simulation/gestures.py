@@ -9,7 +9,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import minimize
 
 from tracker.geometry import so3
 from tracker.hand.model import HandModel
@@ -129,6 +128,8 @@ def pinch(hand: HandModel, finger: str, wearer: Wearer | None = None) -> Array:
     away in the hand of the file, too: unsensed joints are inferred from it, so the wearer's pinch
     must be equally clear.
     """
+    from scipy.optimize import minimize  # deferred: slow to load
+
     moved = [
         n for n in hand.joint_names if n.startswith("thumb_") and n not in _driven_angles(hand)
     ]

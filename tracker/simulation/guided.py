@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import least_squares
 
 from tracker.fusion.chain.guided.events import began, ended
 from tracker.geometry import so3
@@ -194,6 +193,8 @@ class HeldHand:
 
     def _laid_flat(self, angles: Array, forced: dict[int, float], t: float) -> Array:
         """MCP joints bend until the fingertips are in the plane of the palm."""
+        from scipy.optimize import least_squares  # deferred: slow to load
+
         names = [f"{f}_mcp_flexion" for f in FINGERS if f"{f}_mcp_flexion" in self.hand.angle_index]
         columns = [self.hand.angle_index[n] for n in names]
         rows = [self.hand.index[CHAINS[n.split("_")[0]][-1]] for n in names]
@@ -214,6 +215,8 @@ class HeldHand:
 
     def _pinch(self, finger: str, t: float) -> Array:
         """Thumb and finger bend until their pads meet, as close to a typical pinch as possible."""
+        from scipy.optimize import least_squares  # deferred: slow to load
+
         columns = [
             self.hand.angle_index[n]
             for n in (*_THUMB, *(f"{finger}_{axis}" for axis in _FINGER))

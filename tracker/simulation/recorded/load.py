@@ -9,8 +9,6 @@ import zlib
 from pathlib import Path
 
 import numpy as np
-from scipy.interpolate import make_interp_spline
-from scipy.signal import butter, filtfilt
 
 from tracker.base.errors import FileError
 from tracker.base.files import check_regular
@@ -39,6 +37,8 @@ class SplineMotion:
     follows_synergies = False
 
     def __init__(self, t: Array, angles: Array, R_GB: Array, p_GB: Array, limits: Array) -> None:
+        from scipy.interpolate import make_interp_spline  # deferred: loads scipy.optimize
+
         self.duration = float(t[-1])
         self.residual = np.nan  # m, median distance of the recorded points from the fitted hand
         q = so3.quat_from_matrix(R_GB)
@@ -62,6 +62,8 @@ def _low_pass(values: Array, rate_hz: float) -> Array:
     """Zero-phase Butterworth filter of second order, forward and backward."""
     if 0.45 * rate_hz <= CUTOFF_HZ:
         return values
+    from scipy.signal import butter, filtfilt  # deferred: loads scipy.stats
+
     b, a = butter(2, CUTOFF_HZ / (rate_hz / 2))
     out: Array = filtfilt(b, a, values, axis=0, padlen=min(12, len(values) - 1))
     return out
