@@ -42,6 +42,10 @@ def models():
     return hand, glove, parse_profile(text)
 
 
+SIMULATING = threading.RLock()
+"""A simulation's renderer reuses its buffers; engines of several threads share this one."""
+
+
 @lru_cache
 def simulation() -> Simulation:
     hand, glove, _ = models()
@@ -51,15 +55,17 @@ def simulation() -> Simulation:
 @lru_cache(maxsize=256)
 def truth_at(t: float):
     """The simulated hand; the window requests one time repeatedly."""
-    return simulation().truth(t)
+    with SIMULATING:
+        return simulation().truth(t)
 
 
 @lru_cache
 def frame_and_blobs(i: int):
     """The i-th image pair and its blobs."""
-    sim = simulation()
-    index, t, arrival = list(sim.exposures())[i]
-    return sim.renderer.frame(t, arrival, index), sim.scene.blobs(t, arrival, index)
+    with SIMULATING:
+        sim = simulation()
+        index, t, arrival = list(sim.exposures())[i]
+        return sim.renderer.frame(t, arrival, index), sim.scene.blobs(t, arrival, index)
 
 
 class ScriptedEngine:
@@ -310,7 +316,8 @@ def with_live(setup: EngineSetup, **changes) -> EngineSetup:
 
 @lru_cache
 def _imu():
-    return tuple(simulation().imu_samples())
+    with SIMULATING:
+        return tuple(simulation().imu_samples())
 
 
 class MemoryRecorder:

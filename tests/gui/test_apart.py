@@ -138,6 +138,17 @@ def test_a_waiting_process_is_replaced_after_its_end_and_ends_with_the_window():
     assert reserve._started is None
 
 
+def test_a_source_is_opened_although_the_waiting_process_has_ended(connect):
+    """And where none was waiting."""
+    reserve, source = Reserve(), Scripted(scripted_setup(Subscribed()))
+    reserve.fill(source)
+    reserve._started.pipe.close()
+    for _ in range(2):
+        process = reserve.open(source)
+        assert process.wait_opened(JobProgress(lambda *_: None)).hands
+        process.close()
+
+
 # --- both ends in one process
 
 
