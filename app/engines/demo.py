@@ -5,7 +5,7 @@ from __future__ import annotations
 import pickle
 import time
 from collections.abc import Callable, Mapping
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -281,15 +281,17 @@ def _info(
 class GuidedWearer:
     """Moves the hand that the simulated glove and camera see.
 
-    Poses are solved on a thread: a pinch takes about a second.
+    What is asked for is carried out in turn on one thread. Pinches, which take up to several
+    seconds to solve on a loaded computer, are solved in advance on another one.
     """
 
     def __init__(self, simulation: Callable[[], Simulation], send: Send, t_0: float) -> None:
         """``simulation`` is called when it is needed; ``t_0`` (s) is when its motion begins."""
         self._simulation, self._send, self._t_0 = simulation, send, t_0
         self._held: HeldHand | None = None
-        self._gestures: dict[str, tuple[float, ...]] = {}
+        self._pinches: dict[str, Future[tuple[float, ...]]] = {}
         self._thread = ThreadPoolExecutor(1, "glovetrack-demo-guide")
+        self._solver = ThreadPoolExecutor(1, "glovetrack-demo-pinches")
         self._closed = False
 
     def _clock(self) -> float:
@@ -302,10 +304,10 @@ class GuidedWearer:
 
     def show_gesture(self, gesture: str) -> None:
         """Make the gesture within about 2.5 s; empty: resume the motion."""
+        if not self._pinches and not self._closed:
+            names = [f"pinch_{finger}" for finger in FINGERS]
+            self._pinches = {n: self._solver.submit(self._solve, n) for n in names}
         self._submit(self._ask_gesture, gesture)
-        if not self._gestures:  # a pinch takes a second to solve: start before it is needed
-            for finger in FINGERS:
-                self._submit(self._gesture, f"pinch_{finger}")
 
     def follow(self, plan: Plan, name: str) -> None:
         """Carry out the postures of ``plan``, which is called with the simulation and the first
@@ -321,14 +323,14 @@ class GuidedWearer:
         if not self._closed:
             self._thread.submit(work, *args)
 
+    def _solve(self, name: str) -> tuple[float, ...]:
+        """(J,) rad of a gesture."""
+        simulation = self._simulation()
+        return tuple(gesture_angles(simulation.hand, name, simulation.wearer).tolist())
+
     def _gesture(self, name: str) -> tuple[float, ...]:
-        """(J,) rad."""
-        if name not in self._gestures:
-            simulation = self._simulation()
-            hand, wearer = simulation.hand, simulation.wearer
-            angles = gesture_angles(hand, name, wearer)
-            self._gestures[name] = tuple(angles.tolist())
-        return self._gestures[name]
+        pinch = self._pinches.get(name)
+        return pinch.result() if pinch is not None else self._solve(name)
 
     def _ask_gesture(self, gesture: str) -> None:
         angles = self._gesture(gesture) if gesture else ()
@@ -349,6 +351,7 @@ class GuidedWearer:
         return tuple(self._held.angles(pose, then).tolist())
 
     def close(self) -> None:
-        """End the thread."""
+        """End the threads."""
         self._closed = True
-        self._thread.shutdown(wait=True, cancel_futures=True)
+        for thread in (self._solver, self._thread):
+            thread.shutdown(wait=True, cancel_futures=True)

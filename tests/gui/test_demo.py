@@ -2,23 +2,27 @@
 
 import csv
 import multiprocessing
+import queue
+import threading
 import time
 from unittest.mock import ANY
 
 import numpy as np
 import pytest
 
+from app.engines import demo as demo_module
 from app.engines.demo_camera import DemoChoice, demo_spec
 from app.jobs.export import ExportRequest
 from app.window.headless_report import wait_until
 from app.words import notice_text
 from extensions.conformance.window.view_model import CuePhase, StepCue
-from tests.gui.gui_fakes import models
+from tests.gui.gui_fakes import models, simulation
 from tracker.base.notices import failure
 from tracker.hand.names import MARKED_KEYPOINTS
 from tracker.messages import Estimate, StereoFrame
 from tracker.session.reader import SessionReader
 from tracker.session.recover import needs_recovery
+from tracker.simulation.gestures import tip_distances
 
 
 @pytest.fixture
@@ -175,6 +179,29 @@ def test_a_killed_recorder_or_camera_is_reported_and_the_rest_continues(demo, qt
     before = demo.host.snapshot().estimate.t
     qtbot.waitUntil(lambda: demo.host.snapshot().estimate.t > before + 0.5, timeout=20_000)
     assert demo.host.running
+
+
+def test_a_gesture_does_not_wait_for_pinches_that_are_solved_in_advance(monkeypatch):
+    solve, may_solve, shown = demo_module.gesture_angles, threading.Event(), queue.Queue()
+
+    def slow(hand, name, wearer):
+        if name.startswith("pinch"):
+            assert may_solve.wait(60.0)
+        return solve(hand, name, wearer)
+
+    monkeypatch.setattr(demo_module, "gesture_angles", slow)
+    send = lambda asked, gesture: shown.put((gesture, asked.angles))  # noqa: E731
+    wearer = demo_module.GuidedWearer(simulation, send, time.monotonic())
+    for gesture in ("open", "fist", "pinch_ring"):
+        wearer.show_gesture(gesture)
+    assert [shown.get(timeout=60.0)[0] for _ in range(2)] == ["open", "fist"]
+    assert shown.empty()
+    may_solve.set()
+    gesture, angles = shown.get(timeout=60.0)
+    hand, person = simulation().hand, simulation().wearer
+    reach = tip_distances(hand, np.array(angles), person)
+    assert gesture == "pinch_ring" and min(reach, key=reach.get) == "ring"
+    wearer.close()
 
 
 def test_one_hand_is_over_a_desk_on_a_fast_computer():

@@ -171,8 +171,8 @@ def tip_distances(hand: HandModel, angles: Array, wearer: Wearer | None = None) 
     if wearer is None:
         points = hand.keypoints(*hand.forward(angles, np.eye(3), np.zeros(3)))
     else:
-        true = wearer.truth(Still(angles, np.eye(3), np.zeros(3)), np.zeros(1))
-        points = wearer.keypoints(true.R_GB[0], true.p_GB[0])
+        R_GB, p_GB, _ = wearer.segments(Still(angles, np.eye(3), np.zeros(3)), np.zeros(1))
+        points = wearer.keypoints(R_GB[0], p_GB[0])
     tip = {f: points[hand.keypoint_names.index(f"{f}_tip")] for f in ("thumb", *FINGERS)}
     return {f: float(np.linalg.norm(tip[f] - tip["thumb"])) for f in FINGERS}
 
