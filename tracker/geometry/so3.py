@@ -5,6 +5,7 @@ import numpy as np
 from tracker.base.arrays import Array
 
 _SMALL = 1e-8
+_EYE = np.eye(3)
 _FEW = 8
 """Rotations up to which one at a time is faster."""
 
@@ -25,15 +26,18 @@ def skew(v: Array) -> Array:
 def exp(phi: Array) -> Array:
     """Rotation matrix of a rotation vector (Rodrigues). (…, 3) to (…, 3, 3)."""
     phi = np.asarray(phi, float)
-    angle2 = np.sum(phi * phi, axis=-1)[..., None, None]
+    angle2 = np.add.reduce(phi * phi, axis=-1)[..., None, None]
     angle = np.sqrt(angle2)
     small = angle < _SMALL
-    safe = np.where(small, 1.0, angle)
-    a = np.where(small, 1.0 - angle2 / 6, np.sin(safe) / safe)
+    is_small = small.any()
+    safe = np.where(small, 1.0, angle) if is_small else angle
+    a = np.sin(safe) / safe
     half = np.sin(safe / 2) / safe
-    b = np.where(small, 0.5 - angle2 / 24, 2 * half * half)
+    b = 2 * half * half
+    if is_small:
+        a, b = np.where(small, 1.0 - angle2 / 6, a), np.where(small, 0.5 - angle2 / 24, b)
     K = skew(phi)
-    return np.eye(3) + a * K + b * (K @ K)
+    return _EYE + a * K + b * (K @ K)
 
 
 def log(R: Array) -> Array:

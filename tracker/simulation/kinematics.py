@@ -62,12 +62,14 @@ def angles_from_many(
 ) -> Array:
     """Angles (n, count) rad as defined in the hand file, from orientations R_GB (n, S, 3, 3)."""
     out = np.zeros((len(R_GB), count))
-    for s in range(len(parent)):
-        if parent[s] < 0:
-            continue
-        R = R_rest[s].T @ np.swapaxes(R_GB[:, parent[s]], 1, 2) @ R_GB[:, s]
-        values = so3.joint_angles(R, bool(column[s, 0] >= 0), bool(column[s, 2] >= 0))
+    moved = np.flatnonzero(np.asarray(parent) >= 0)
+    before = np.swapaxes(R_GB[:, np.asarray(parent)[moved]], 2, 3)
+    R = np.swapaxes(R_rest[moved], 1, 2) @ before @ R_GB[:, moved]
+    has = column[moved] >= 0
+    for axes in np.unique(has[:, ::2], axis=0):
+        alike = np.flatnonzero((has[:, ::2] == axes).all(axis=1))
+        values = so3.joint_angles(R[:, alike], *map(bool, axes))
         for i in range(3):
-            if column[s, i] >= 0:
-                out[:, column[s, i]] = values[:, i]
+            there = has[alike, i]
+            out[:, column[moved[alike[there]], i]] = values[:, there, i]
     return out

@@ -35,7 +35,7 @@ class SmoothNoise:
 
     def __call__(self, t: Array) -> Array:
         """(n, *shape) at the times t (n,) s."""
-        wave = np.exp(1j * np.outer(t, self._omega))
+        wave = np.exp(1j * np.multiply.outer(t, self._omega))
         values = (wave @ self._amplitude.T).real
         return values.reshape(len(t), *self.shape)
 
@@ -52,7 +52,7 @@ class Oscillation:
 
     def __call__(self, t: Array) -> Array:
         """(n_times, n) at the times t (s)."""
-        wave = np.exp(1j * np.outer(t, self._omega))
+        wave = np.exp(1j * np.multiply.outer(t, self._omega))
         values: Array = (wave @ self._amplitude.T).real
         return values
 
