@@ -25,7 +25,7 @@ from tracker.base.channels import Backlog, Closed
 from tracker.base.clock import ClockAnchor, monotonic
 from tracker.base.errors import ConfigError
 from tracker.base.notices import Notice, notice
-from tracker.base.numeric_threads import one_blas_thread
+from tracker.base.numeric_threads import one_numeric_thread
 from tracker.engine.hands import Hands
 from tracker.engine.kinds import WITHOUT_CAMERA, settings_text
 from tracker.engine.pipeline import Pipeline
@@ -146,7 +146,7 @@ class LiveTracker:
         return cls(devices, engine, colours)
 
     def __enter__(self) -> LiveTracker:
-        self._open.enter_context(one_blas_thread())
+        self._open.enter_context(one_numeric_thread())
         self._open.callback(self._devices.end)
         self._open.callback(self._tracker.stop)
         for side in self._names:

@@ -15,7 +15,7 @@ import numpy as np
 
 from glovetrack.recorded import RecordedData
 from glovetrack.session_file import SessionFile, Window
-from tracker.base.numeric_threads import one_blas_thread
+from tracker.base.numeric_threads import one_numeric_thread
 from tracker.offline.options import TrackOptions
 from tracker.session.export.options import ExportOptions
 
@@ -119,7 +119,7 @@ class Recording(RecordedData):
             engine=engine, wearer=str(wearer), smooth=smooth, with_sensors=True
         )
         with _target(out, f"{self.path.stem}_tracked.mcap") as (target, folder):
-            with one_blas_thread(), self._file.as_file(to_track=True) as source:
+            with one_numeric_thread(), self._file.as_file(to_track=True) as source:
                 track(source, target, asked, force=force)
             return Recording(target, folder=folder)
 
@@ -138,7 +138,7 @@ class Recording(RecordedData):
         """
         from tracker.session.export.run import export
 
-        with one_blas_thread(), self._file.as_file(to_track=False) as source:
+        with one_numeric_thread(), self._file.as_file(to_track=False) as source:
             return MappingProxyType(
                 export(source, format, Path(path), options or ExportOptions(), force=force)
             )
@@ -203,6 +203,6 @@ def simulate(
 
     asked = options or SimulateOptions(seed=seed, duration=duration, hands=hands, images=images)
     with _target(path, "simulated.mcap") as (target, folder):
-        with one_blas_thread():
+        with one_numeric_thread():
             run(target, asked, force=force)
         return Recording(target, folder=folder)

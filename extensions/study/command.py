@@ -16,7 +16,7 @@ from tracker.base.command import Command, UsageError
 from tracker.base.errors import ConfigError
 from tracker.base.files import check_folder_target, check_target, write_whole
 from tracker.base.notices import failure, notice
-from tracker.base.numeric_threads import one_blas_thread
+from tracker.base.numeric_threads import one_numeric_thread
 from tracker.base.terminal import (
     add_force,
     add_json,
@@ -106,7 +106,7 @@ def _run_headless(study: Study, protocol: Protocol, participant: str) -> int:
     from extensions.study.headless import run_headless
 
     chosen = (participant,) if participant else protocol.participants
-    with one_blas_thread(), stopped_by_signals():
+    with one_numeric_thread(), stopped_by_signals():
         for label in chosen:
             run_headless(study.progress(label), lambda line: print(printable(line), flush=True))
     return 0

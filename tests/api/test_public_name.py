@@ -31,12 +31,14 @@ def test_it_changes_nothing_in_the_host_process() -> None:
     code = """
 import os, sys, signal, threading
 for name in list(os.environ):
-    if name.endswith("_NUM_THREADS"):
+    if name.endswith(("_NUM_THREADS", "_THREADS_NUM")):
         del os.environ[name]
 import cv2, numpy  # OpenCV extends LD_LIBRARY_PATH
+cv2.setNumThreads(3)
 from threadpoolctl import threadpool_info
 def state():
     pools = [(p["filepath"], p["num_threads"]) for p in threadpool_info()]
+    pools.append(("opencv", cv2.getNumThreads()))
     handlers = [signal.getsignal(s) for s in (signal.SIGINT, signal.SIGTERM)]
     return dict(os.environ), pools, handlers, threading.active_count(), sys.excepthook
 before = state()
@@ -53,6 +55,19 @@ assert all(known.get(path, n) == n for path, n in after[1])
 print("unchanged")
 """
     assert output(code) == "unchanged"
+
+
+def test_opencv_has_one_thread_in_processes_of_our_own() -> None:
+    """Also where it was loaded before."""
+    for first in ("app, cv2", "cv2, app"):
+        code = f"""
+import os
+for name in ("OPENCV_FOR_THREADS_NUM", "OMP_NUM_THREADS"):
+    os.environ.pop(name, None)
+import {first}
+print(cv2.getNumThreads())
+"""
+        assert output(code) == "1"
 
 
 def test_every_name_is_there() -> None:

@@ -18,8 +18,6 @@ from functools import partial
 from multiprocessing.connection import Connection
 from typing import Any
 
-import cv2
-
 from tracker.base.errors import FileError, GlovetrackError, notice_of
 from tracker.session.images import PackedFrame, encode_image
 from tracker.session.recording.image_slots import Image, ImageInSlot, SlotReader, SlotsOpened
@@ -127,7 +125,6 @@ def serve(pipe: Connection, prepare: Callable[[], object] | None) -> None:
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), signal.SIG_IGN)
     signal.signal(signal.SIGTERM, lambda *_: inbox.post(_Signal.ENDS))
-    cv2.setNumThreads(1)
     if prepare is not None:
         prepare()
     load_describer()
