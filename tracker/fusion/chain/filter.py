@@ -29,6 +29,9 @@ from tracker.messages import Array, IntArray
 Rows = tuple[Array, Array, Array, Array]
 """Terms of an update: H (m, N), H P (m, N), innovation r (m,) and its noise R (m, m)."""
 
+RATIO_LASTS = 0.4  # s over which corrections of the velocity are averaged
+RATIO_LEAST = 0.02  # share of the velocity's variance that a correction has to remove to count
+
 STAY_VARIANCE = np.repeat([2.0**2, 2.0**2], 3)
 """m² and m²/s² of one use of `ChainFilter.stay`: more than an arm's reach and speed, since the hand
 may stay away for a second, in which thirty uses are not thirty independent measurements."""
@@ -94,6 +97,8 @@ class ChainFilter:
             self._tape.step(self.state, way.mean(first), dt)
         coasting = Coasting(last_good, params.match.lost_after)
         propagate(self.state, self._layout, params, way.part(first, end), coasting)
+        if self.state.t - last_good > params.match.lost_after:
+            self.state.velocity_ratio = 1.0
         self._tilt()
         return end
 
@@ -125,6 +130,7 @@ class ChainFilter:
         uncertainty."""
         trial = self.state.copy()
         trial.R_GB, trial.p, trial.v = pose.R_GB, pose.p, np.zeros(3)
+        trial.velocity_ratio = 1.0
         reset_pose(trial.P, self._layout, self._params.prior)
         return trial
 
@@ -197,8 +203,22 @@ class ChainFilter:
         since = max(self.state.t - self.saved.last_constraint, 1e-3)
         # at twice the usual rate each use carries half the information
         variance = variance * max(1.0, self._params.constraint.period / since)  # eq. 37
+        v, v_variance = self.state.v.copy(), velocity_trace(self.state)
         self._update(*joined(*seen, H, r, variance, self.state.P))
+        self._judge_velocity(v, v_variance, since)
         self.saved.last_constraint = self.state.t
+
+    def _judge_velocity(self, v: Array, variance: float, since: float) -> None:
+        """Compares a correction of the velocity, which was v (3,) m/s with the ``variance`` (trace,
+        m²/s²) before an image ``since`` s after the last one, with its variance by P (eq. 76)."""
+        state = self.state
+        removed = variance - velocity_trace(state)
+        if removed > RATIO_LEAST * variance:
+            change = state.v - v
+            weight = 1.0 - math.exp(-min(since, RATIO_LASTS) / RATIO_LASTS)
+            state.velocity_ratio += weight * (
+                float(change @ change) / removed - state.velocity_ratio
+            )
 
     def corrected(self, seen: Rows, state: ChainState | None = None) -> ChainState:
         """Returns ``state`` (default: its own) corrected as by `correct` without anatomy; changes
@@ -227,6 +247,11 @@ class ChainFilter:
             self._tape.update(H, HP, HPH + R, r)
         dx = correct(self.state.P, HP, HPH, r, R)  # eq. 38
         inject(self.state, self._layout, dx)
+
+
+def velocity_trace(state: ChainState) -> float:
+    """m²/s², summed over three axes, by P."""
+    return float(state.P[3, 3] + state.P[4, 4] + state.P[5, 5])
 
 
 def _is_due(saved: FilterSavedState, params: ChainParams, t: float) -> bool:

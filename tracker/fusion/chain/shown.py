@@ -6,11 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from tracker import GRAVITY
+from tracker.fusion.chain.ahead import ahead_variance, velocity_variance
 from tracker.fusion.chain.confidence import MEASURED_SD, HandConfidence
 from tracker.fusion.chain.distal import DistalSegments, Synergies
 from tracker.fusion.chain.kinematics import marker_positions, segment_positions
-from tracker.fusion.chain.layout import ChainLayout, V
+from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import NoiseParams
 from tracker.fusion.chain.propagate import rates_now
 from tracker.fusion.chain.state import ChainState
@@ -28,7 +28,7 @@ from tracker.fusion.time.timeline import HAND_SPEED, behind_variance
 from tracker.geometry.kernels import cross3
 from tracker.messages import Array, Estimate, ImuSample, IntArray, Motion, Tracking
 
-RATE_LASTS = 0.1  # s for which a gyroscope's error persists: mainly scale and moving cloth
+RATE_LASTS = 0.4  # s for which a gyroscope's error persists: mainly scale and moving cloth
 
 
 class ShownHand:
@@ -103,7 +103,7 @@ class ShownHand:
     ) -> Motion:
         """The motion of the hand ``found`` at ``t`` from the IMUs and the state's velocity."""
         lay = self._layout
-        v_sd, gyro_sd = self._velocity_sd(past, t), self._noise.gyro / RATE_LASTS**0.5
+        v_sd, gyro_sd = self._velocity_sd(past, t, packet), self._noise.gyro / RATE_LASTS**0.5
         w, w_sd, turn_sd = rates_now(
             lay.drive, lay.blocks, state.R_GB, state.imus, past.P, packet.gyro, packet.valid,
             gyro_sd,
@@ -112,9 +112,10 @@ class ShownHand:
         rates = Rates(*linked_rates(lay.parent, active, v, w, v_sd, w_sd, turn_sd))
         return motion_of(self._output, found, active, rates)
 
-    def _velocity_sd(self, past: ChainState, t: float) -> float:
+    def _velocity_sd(self, past: ChainState, t: float, packet: ImuSample) -> float:
         """m/s per axis, of the root's IMU at ``t``, propagated from ``past``."""
-        variance = velocity_variance(past, self._layout, self._noise, max(t - past.t, 0.0))
+        accel, tau = packet.accel[self._layout.imu_of[0]], max(t - past.t, 0.0)
+        variance = velocity_variance(past, self._layout, self._noise, tau, accel)
         if self.confidence.is_doubted:
             variance += HAND_SPEED**2
         return float(np.sqrt(variance))
@@ -123,36 +124,6 @@ class ShownHand:
         """Markers of a nominal state in G (M, 3), their sd (M,) m and ids (M,)."""
         p_G = marker_positions(state, self._layout)
         return p_G, self.confidence.tip_sd[self._layout.marker_segment], np.arange(len(p_G))
-
-
-def ahead_variance(state: ChainState, layout: ChainLayout, noise: NoiseParams, tau: float) -> float:
-    """m² per axis that the root's position gains while its nominal state alone is propagated for
-    ``tau`` s (docs/chain.md, eq. 56).
-
-    The velocity error contributes linearly in time; a tilt error is mistaken for acceleration, as
-    is an accelerometer bias, both quadratically.
-    """
-    at = layout.blocks
-    velocity, tilt = _mean_variance(state.P, V), _mean_variance(state.P, at.theta)
-    bias = _mean_variance(state.P, at.ba) if layout.imu_of[0] >= 0 else 0.0
-    pull = GRAVITY**2 * tilt + bias
-    return velocity * tau**2 + pull * tau**4 / 4 + noise.accel**2 * tau**3 / 3
-
-
-def velocity_variance(
-    state: ChainState, layout: ChainLayout, noise: NoiseParams, tau: float
-) -> float:
-    """m²/s² per axis of the root's velocity after its nominal state alone was propagated for
-    ``tau`` s, as `ahead_variance`."""
-    at = layout.blocks
-    bias = _mean_variance(state.P, at.ba) if layout.imu_of[0] >= 0 else 0.0
-    pull = GRAVITY**2 * _mean_variance(state.P, at.theta) + bias
-    return _mean_variance(state.P, V) + pull * tau**2 + noise.accel**2 * tau
-
-
-def _mean_variance(P: Array, first: int) -> float:
-    """Mean variance of three error states in P (N, N)."""
-    return float(P[first, first] + P[first + 1, first + 1] + P[first + 2, first + 2]) / 3
 
 
 def mark_inferred(estimate: Estimate, most_sd: float = MEASURED_SD) -> Estimate:

@@ -65,7 +65,8 @@ class ChainState:
     p, v (3,) of the root's IMU in G; R_GB (A, 3, 3); bg, ba (n, 3); R_IB (n, 3, 3); scale (A, 2)
     length and girth; joint (B, 3) m in the root's B; marker (M, 3) m in each marker's B;
     axis (K,) values of `ChainLayout.fixed_axes`, whose joints are oblique in this wearer;
-    P (N, N) in the order of `ChainLayout`, or (0, 0) where only a calibration is solved for.
+    P (N, N) in the order of `ChainLayout`, or (0, 0) where only a calibration is solved for;
+    velocity_ratio is the variance of the velocity relative to that of P (eq. 76).
     """
 
     t: float
@@ -80,6 +81,7 @@ class ChainState:
     marker: Array
     P: Array
     axis: Array = field(default_factory=lambda: np.zeros(0))  # of recordings without it: empty
+    velocity_ratio: float = 1.0
 
     @property
     def dynamic(self) -> Dynamic:
