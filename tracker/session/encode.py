@@ -255,7 +255,7 @@ class Encoder:
         return Out(topic, motion.POSES, log, stamp, data)
 
     def _segment_poses(self, m: Estimate, stamp: int, log: int) -> Out:
-        known = [i for i in range(len(m.segment_p)) if np.isfinite(m.segment_p[i]).all()]
+        known = np.flatnonzero(np.isfinite(m.segment_p).all(axis=1)).tolist()
         q = so3.quat_from_matrix(m.segment_R[known]) if known else np.zeros((0, 4))
         data = motion.pack_transforms(
             [

@@ -72,7 +72,8 @@ def pack_transforms(transforms: Sequence[Transform]) -> bytes:
     for t in transforms:
         out.header(t.stamp, t.frame)
         out.text(t.child)
-        out.doubles(np.concatenate([t.translation, t.rotation]))
+        out.doubles(t.translation)
+        out.doubles(t.rotation)
     return out.done()
 
 

@@ -136,14 +136,14 @@ def pack_detections(m: Detections) -> bytes:
     out = CdrWriter()
     out.header(m.stamp, m.frame)
     out.u32(len(m.blobs))
-    rows = zip(m.blobs.uv, m.blobs.size, m.blobs.hue, m.blobs.score, strict=True)
-    for uv, size, hue, score in rows:
+    rows = np.zeros((len(m.blobs), 1 + len(_UNKNOWN_POSE) + 5))
+    rows[:, 0], rows[:, 1:-5] = m.blobs.score, _UNKNOWN_POSE
+    rows[:, -5:-3], rows[:, -2:] = m.blobs.uv, m.blobs.size
+    for hue, row in zip(m.blobs.hue.tolist(), rows, strict=True):
         out.header(m.stamp, m.frame)
         out.u32(1)
-        out.text(m.names[int(hue)])
-        out.doubles([score])
-        out.doubles(_UNKNOWN_POSE)
-        out.doubles([uv[0], uv[1], 0.0, size[0], size[1]])
+        out.text(m.names[hue])
+        out.doubles(row)
         out.text("")
     return out.done()
 
