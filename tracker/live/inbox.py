@@ -16,8 +16,10 @@ from dataclasses import dataclass
 from typing import TypeVar
 
 from tracker.base.channels import Closed
+from tracker.base.clock import monotonic
 from tracker.engine.hands import Sided
 from tracker.fusion.engine import Engine
+from tracker.live.rhythm import PacketRhythm
 from tracker.messages import BlobFrame, Event, StereoFrame, WristPose
 
 T = TypeVar("T")
@@ -79,8 +81,10 @@ Item = Queued | DetectedFrame
 class Inbox:
     """Filled by any thread, emptied by one. A lost packet is lost motion; a late image is not."""
 
-    def __init__(self) -> None:
+    def __init__(self, clock: Callable[[], float] = monotonic) -> None:
+        """``clock`` gives s."""
         self._changed = threading.Condition()
+        self._clock, self._rhythm = clock, PacketRhythm()
         self._items: deque[Queued] = deque()
         self._frames: deque[DetectedFrame] = deque()
         self._overflowed = self._skipped = 0
@@ -91,6 +95,8 @@ class Inbox:
         """Appends an item. If the queue is full, it is lost and counted."""
         with self._changed:
             self._overflowed += self._is_refused(self._items, item, SIZE)
+            if isinstance(item, Sided):
+                self._rhythm.packet(item.side, self._clock())
 
     def put_frame(self, found: DetectedFrame) -> None:
         """Appends an image, or skips it while the engine still has older ones."""
@@ -129,15 +135,25 @@ class Inbox:
         ``timeout`` s. Raises Closed once it is closed and empty."""
         with self._changed:
             self._changed.wait_for(lambda: self._items or self._frames or self._closed, timeout)
+            if len(self._frames) == 1 and not self._items and not self._closed:
+                hold = self._rhythm.hold(self._clock())
+                self._changed.wait_for(lambda: self._items or self._closed, hold)
             if self._items and not self._frame_is_due():
                 self._passed += bool(self._frames)
                 return self._items.popleft()
             if self._frames:
                 self._passed = 0
+                self._rhythm.begun()
                 return self._frames.popleft()
             if self._closed:
                 raise Closed
             return None
+
+    def took(self, item: Item, seconds: float) -> None:
+        """The item was processed within ``seconds``."""
+        if isinstance(item, DetectedFrame):
+            with self._changed:
+                self._rhythm.image(seconds)
 
     def close(self) -> None:
         """Refuses new items and wakes waiting threads."""

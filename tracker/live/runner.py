@@ -74,7 +74,7 @@ class LiveTracker:
         self._gloves, self._camera = gloves, camera
         self._journal, telemetry = Journal(clock), Telemetry()
         self._loop = LiveLoop(hands, self._journal, telemetry, clock)
-        self._inbox = Inbox()
+        self._clock, self._inbox = clock, Inbox(clock)
         self._vision = Vision(profile, make_detector, self._inbox, self._loop)
         side = MAIN if MAIN in hands.pipelines else next(iter(hands.pipelines))
         follower = _follower(profile, hands.pipelines[side])  # one hand determines the colours
@@ -138,7 +138,9 @@ class LiveTracker:
     def _feed(self) -> None:
         item = self._inbox.get(WAIT)
         if item is not None:
+            begun = self._clock()
             self._loop.feed(item)
+            self._inbox.took(item, self._clock() - begun)
 
     def set_profile(self, profile: ColourProfile) -> None:
         """Uses other colours from the next image on."""
