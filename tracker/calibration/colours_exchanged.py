@@ -4,28 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from itertools import permutations
 
 from tracker.vision.colours import HUES, ColourProfile
-
-MOST_HUES = 5
-"""More have too many orders to try."""
+from tracker.vision.hue_orders import orders
 
 
 def renamed(profile: ColourProfile) -> Iterator[ColourProfile]:
     """Yields the profile with each other order of its names, those that move the fewest first."""
-    names = profile.hue_names
-    if len(names) > MOST_HUES:
-        return
-    orders = sorted(permutations(names), key=lambda order: len(moved(names, order)))
-    for order in orders[1:]:
+    for order in orders(profile.hue_names):
         pairs = zip(profile.hues, order, strict=True)
         yield replace(profile, hues=tuple(replace(hue, name=name) for hue, name in pairs))
-
-
-def moved(names: tuple[str, ...], order: tuple[str, ...]) -> tuple[str, ...]:
-    """The names that are at another position."""
-    return tuple(a for a, b in zip(names, order, strict=True) if a != b)
 
 
 def exchanged(before: ColourProfile, after: ColourProfile) -> tuple[str, ...]:

@@ -3,7 +3,8 @@
 `SideWatch` detects a left glove with the files of a right one, and the reverse. A glove's patches
 are mirrored on the other hand, so the hand is not found, or by mistake and lost again: there are
 enough blobs, but no hand among them. Then the same packets and images are tried with the mirrored
-glove and hand. `ExchangeWatch` detects two gloves of which each has the other one's files.
+glove and hand, and after that with other names of the hues (`hue_watch`). `ExchangeWatch` detects
+two gloves of which each has the other one's files.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ import math
 
 from tracker.base.notices import Notice, Outbox, failure
 from tracker.engine.hands import Hands
+from tracker.engine.hue_watch import HueWatch
 from tracker.engine.pipeline import Pipeline
 from tracker.glove.mirror import OTHER, mirrored_glove, mirrored_hand
 from tracker.glove.model import GloveModel
@@ -37,17 +39,20 @@ class SideWatch:
         self._over = False
         self._sees_many = False
         self.notices = Outbox()
+        self._hues = HueWatch(pipeline, self.notices)
         self.is_other = False  # reported, and our hand was not found since
 
     def packet(self, sample: ImuSample, tracking: Tracking) -> None:
         """Takes a packet and the state of tracking after it."""
         step = 0.0 if self._last is None else min(max(sample.t - self._last, 0.0), 0.1)
         self._last = sample.t
+        idle = self._sees_many and self._trial is None and not self.is_other
+        self._hues.packet(sample, tracking, step, idle)
         if tracking in (Tracking.TRACKING, Tracking.COASTING):
             self._restart()
         elif self._trial is not None:
             self._try(self._trial, sample, step)
-        elif self._sees_many and not self._over:
+        elif self._sees_many and not self._over and not self._hues.is_trying:
             self._waited += step
             if self._waited >= self._patience:
                 self._trial = _mirrored(self._pipeline)
@@ -55,6 +60,7 @@ class SideWatch:
     def frame(self, blobs: BlobFrame) -> None:
         """What was found in an image."""
         self._sees_many = sees(blobs, ENOUGH)
+        self._hues.frame(blobs)
         if self._trial is not None:
             self._trial.feed_frame(blobs)
             self._trial.take_results()
