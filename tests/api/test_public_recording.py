@@ -28,6 +28,11 @@ def simulated(tmp_path_factory: pytest.TempPathFactory) -> glovetrack.Recording:
     return glovetrack.simulate(path, seed=5, duration=3.0, images=False)
 
 
+@pytest.fixture(scope="module")
+def tracked(simulated: glovetrack.Recording) -> glovetrack.Recording:
+    return simulated.track()
+
+
 def test_arrays_are_those_of_the_file(live: glovetrack.Recording) -> None:
     with SessionReader(live.path) as reader:
         found = sorted(
@@ -43,8 +48,7 @@ def test_arrays_are_those_of_the_file(live: glovetrack.Recording) -> None:
     assert set(np.unique(live.valid.array)) <= {False, True}
 
 
-def test_lost_is_not_valid_and_nan(simulated: glovetrack.Recording) -> None:
-    tracked = simulated.track()
+def test_lost_is_not_valid_and_nan(tracked: glovetrack.Recording) -> None:
     lost = ~tracked.valid["index_tip"]
     assert lost.any(), "before the hand is found it is lost"
     assert np.isnan(tracked.keypoints["index_tip"][lost]).all()
@@ -53,8 +57,10 @@ def test_lost_is_not_valid_and_nan(simulated: glovetrack.Recording) -> None:
     assert measured.any() and not (measured & ~tracked.valid.array).any()
 
 
-def test_the_truth_of_a_simulated_session(simulated: glovetrack.Recording) -> None:
-    tracked, true = simulated.track(), simulated.truth["right"]
+def test_the_truth_of_a_simulated_session(
+    simulated: glovetrack.Recording, tracked: glovetrack.Recording
+) -> None:
+    true = simulated.truth["right"]
     rows = tracked.t > 1.0  # the hand was found by then
     for axis in range(3):
         at = np.interp(tracked.t, true.t, true.keypoints["index_tip"][:, axis])
@@ -180,18 +186,19 @@ def test_a_misspelled_name_names_the_nearest(live: glovetrack.Recording) -> None
         live.keypoints["index_tpi"]
 
 
-def test_a_difference_is_located(simulated: glovetrack.Recording) -> None:
-    chain, vist = simulated.track(), simulated.track(engine="vist")
-    found = chain.compare(vist)
+def test_a_difference_is_located(
+    simulated: glovetrack.Recording, tracked: glovetrack.Recording
+) -> None:
+    vist = simulated.track(engine="vist")
+    found = tracked.compare(vist)
     assert not found["identical"] and 0.0 <= found["first_difference_s"] < 1.0
     assert vist.track().compare(vist)["first_difference_s"] is None
 
 
 def test_a_slice_is_compared_and_exported_as_a_slice(
-    simulated: glovetrack.Recording, tmp_path: Path
+    tracked: glovetrack.Recording, tmp_path: Path
 ) -> None:
     """Files are cut at the arrival times of messages, which a loaded computer delays."""
-    tracked = simulated.track()
     part = tracked[1.0:2.0]
     found = part.compare(tracked)
     assert found["estimates"][0] == found["compared"] == pytest.approx(len(part.t), abs=3)

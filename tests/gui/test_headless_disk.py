@@ -78,7 +78,7 @@ def test_a_disk_that_fills_up_during_the_report_is_an_error(
     choice = DemoChoice(scene="plain", lenses="none")
     watched = report.Watched("demo", lambda progress: demo.demo_setup(progress, 1, choice))
     out = tmp_path / "report"
-    assert report.headless_report(6.0, out, watched, report.Connected(StreamSettings())) == 1
+    assert report.headless_report(3.0, out, watched, report.Connected(StreamSettings())) == 1
     session = out / "session.mcap"
     printed = capsys.readouterr()
     assert printed.err.splitlines()[-1] == (

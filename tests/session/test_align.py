@@ -27,7 +27,7 @@ CLOCK = 4.219  # s by which the second's clock is ahead
 def takes(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
     """A tracked take, and a part of it as if recorded by another computer."""
     folder = tmp_path_factory.mktemp("align")
-    simulate(folder / "in.mcap", SimulateOptions(images=False, duration=6.0, seed=4))
+    simulate(folder / "in.mcap", SimulateOptions(images=False, duration=6.0, fps=30, seed=4))
     track(folder / "in.mcap", folder / "a.mcap")
     with SessionReader(folder / "in.mcap") as reader:
         imus = [m for m in reader.messages([ImuSample]) if isinstance(m, ImuSample)]
