@@ -66,7 +66,8 @@ def samples_of(image: Image, known: KnownMarkers, names: tuple[str, ...]) -> Col
     reach = HAND * float(np.median(known.extent)) if len(known.extent) else 0.0
     for uv in np.concatenate([known.uv, known.hand]):
         _disc(away, uv, reach)
-    out.room.append(image[away == 0][::ROOM_STEP])
+    room = np.flatnonzero(away.ravel() == 0)[::ROOM_STEP]
+    out.room.append(image.reshape(-1, 3)[room])
     return out
 
 
@@ -119,7 +120,7 @@ def _pixels(
     bottom, last = min(row + reach + 1, height), min(column + reach + 1, width)
     if bottom <= top or last <= first:
         return np.zeros((0, 3), np.uint8)
-    y, x = np.mgrid[top:bottom, first:last]
+    y, x = np.arange(top, bottom)[:, None], np.arange(first, last)
     apart = np.hypot(x - float(uv[0]), y - float(uv[1]))
     inside = (apart >= least) & (apart <= max(most, 0.75))
     if but is not None:

@@ -8,6 +8,7 @@ background a misprediction costs more than the second lookup.
 
 from __future__ import annotations
 
+from collections import deque
 from typing import NamedTuple
 
 import numpy as np
@@ -70,8 +71,22 @@ _SATURATION = _division_table(255.0)
 _HUE = _division_table(180.0 / 6.0)
 
 
+_recent: deque[tuple[ColourProfile, HueTable]] = deque(maxlen=4)
+"""The tables made last: colours that are learned live are tested, and then used, each by a detector
+of its own."""
+
+
 def hue_table(profile: ColourProfile) -> HueTable:
-    """The classes of a profile's hues; takes 50 ms."""
+    """The classes of a profile's hues; takes 50 ms, once for each profile."""
+    for known, table in tuple(_recent):
+        if known is profile:
+            return table
+    table = _made(profile)
+    _recent.append((profile, table))
+    return table
+
+
+def _made(profile: ColourProfile) -> HueTable:
     if len(profile.hues) > MAX_HUES:
         raise ConfigError(
             notice(
