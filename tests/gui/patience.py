@@ -28,10 +28,11 @@ def processor_ticks() -> int:
 
 
 def patient(qtbot: Any) -> Any:
-    """``qtbot`` whose ``waitUntil`` continues after its time-out while a job makes progress."""
+    """``qtbot`` whose ``waitUntil`` continues after its time-out while a job makes progress; its
+    time-out is longer than any stall of a computer unless stated."""
     wait = qtbot.waitUntil
 
-    def wait_until(is_done: Callable[[], Any], *, timeout: int = 5000) -> None:
+    def wait_until(is_done: Callable[[], Any], *, timeout: int = 30_000) -> None:
         end = time.monotonic() + max(AT_MOST * timeout / 1000, LEAST)
         used, used_at = processor_ticks(), time.monotonic()
         while True:

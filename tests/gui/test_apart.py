@@ -333,11 +333,11 @@ def test_a_source_that_cannot_be_opened_says_why(connect):
 
 def test_a_device_that_hangs_does_not_hang_the_window(connect):
     engine, released = Subscribed(), threading.Event()
-    engine.stop = lambda patience=None: released.wait(30.0)
+    engine.stop = lambda patience=None: released.wait(120.0)
     setup = connect(scripted_setup(engine))
     begun = time.monotonic()
     setup.engine.stop(0.0)
-    assert time.monotonic() - begun < 10.0  # it hangs for 30 s
+    assert time.monotonic() - begun < 60.0  # it hangs for 120 s
     assert [e.notice.code for e in setup.engine.drain_events() if e.kind == "error"] == [
         "engine.process_silent"
     ]

@@ -126,7 +126,7 @@ def test_an_exception_in_a_thread_is_reported(watch, qtbot):
     thread = threading.Thread(target=work)
     thread.start()
     thread.join()
-    qtbot.waitUntil(lambda: notified != [], timeout=5_000)
+    qtbot.waitUntil(lambda: notified != [])
     assert "in a thread" in notified[0]
 
 

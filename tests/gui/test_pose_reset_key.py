@@ -110,7 +110,7 @@ def test_a_letter_typed_into_a_field_resets_nothing(both, qtbot, resets):
     field = QLineEdit(both)
     field.show()
     field.setFocus()
-    qtbot.waitUntil(field.hasFocus, timeout=5_000)
+    qtbot.waitUntil(field.hasFocus)
     qtbot.keyClick(field, Qt.Key.Key_R)
     assert field.text() == "r" and both.counted == []
 

@@ -124,7 +124,7 @@ def test_a_note_has_its_arrival_time_even_if_the_window_was_busy(window, engine,
             time.sleep(0.001)
         arrived = monotonic()
         time.sleep(0.02)  # for twenty times the maximum timestamp error
-        qtbot.waitUntil(lambda: bool(window.host.notes.current), timeout=5_000)
+        qtbot.waitUntil(lambda: bool(window.host.notes.current))
         (note,) = window.host.notes.current.values()
         assert note.t <= arrived + 0.001
         client.settimeout(5)

@@ -96,7 +96,7 @@ def test_a_replay_shows_a_session_and_its_transport_on_every_screen(window, qtbo
     assert library.table.height() >= 72  # a heading and a session
     for name in ("cameras", "hand"):
         bar = window.docks[name].widget().verticalScrollBar()
-        qtbot.waitUntil(lambda bar=bar: bar.maximum() == 0, timeout=3_000)
+        qtbot.waitUntil(lambda bar=bar: bar.maximum() == 0)
     assert library.transport.timeline.width() >= 120
 
 

@@ -52,7 +52,7 @@ def test_a_hanging_thread_is_abandoned_and_freed_when_it_ends() -> None:
     group.request_stop()
     begun = time.monotonic()
     late = group.join({"camera": freed.set}, 0.3)
-    assert time.monotonic() - begun < 5.0, "0.3 s, on a loaded computer more"
+    assert time.monotonic() - begun < LIMIT / 2, "0.3 s, on a loaded computer more"
     assert late == ["camera"] and not freed.is_set(), "a device in use is not freed"
     go_on.set()
     assert freed.wait(LIMIT)

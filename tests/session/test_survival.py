@@ -80,13 +80,13 @@ def test_flipped_bits_are_reported(session: Path) -> None:
         for at in rng.integers(0, len(data), 3):
             spoilt[at] ^= 1 << int(rng.integers(8))
         bad.write_bytes(spoilt)
-        started = time.perf_counter()
+        started = time.process_time()
         try:
             with SessionReader(bad) as reader:
                 list(reader.messages())
         except GlovetrackError:
             refused += 1
-        assert time.perf_counter() - started < 2
+        assert time.process_time() - started < 2
     assert refused > 12
 
 

@@ -61,12 +61,12 @@ def make_estimate(hand: HandModel, glove: GloveModel) -> MakeEstimate:
 
 @pytest.fixture
 def wait_for() -> Callable[[Callable[[], object]], None]:
-    """Wait at most 5 s for a condition."""
+    """Wait for a condition, at most a minute, as on a computer that is busy otherwise."""
 
     def wait(holds: Callable[[], object]) -> None:
-        end = time.monotonic() + 5
+        end = time.monotonic() + 60
         while not holds():
-            assert time.monotonic() < end, "it did not happen within 5 s"
+            assert time.monotonic() < end, "it did not happen within a minute"
             time.sleep(0.005)
 
     return wait

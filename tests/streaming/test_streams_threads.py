@@ -24,7 +24,7 @@ class Sink:
         self.fault: Exception | None = None
 
     def send(self, estimate: Estimate) -> None:
-        self.open.wait(10)
+        self.open.wait(200)
         if self.fault:
             raise self.fault
         self.got.append(estimate.t)
@@ -47,11 +47,10 @@ def test_a_blocked_output_delays_neither_caller_nor_other_outputs(make_estimate,
     slow, healthy = Sink("slow"), Sink("healthy")
     slow.open.clear()
     streams = Streams([slow, healthy])
-    started = time.monotonic()
     for k in range(200):
         streams.offer(make_estimate(float(k)))
         wait_for(lambda k=k: len(healthy.got) == k + 1)
-    assert time.monotonic() - started < 5
+    assert slow.got == [], "it is blocked all the time"
     assert healthy.got == [float(k) for k in range(200)]
     slow.open.set()
     wait_for(lambda: len(slow.got) == 1 + BACKLOG)
@@ -123,9 +122,8 @@ def test_closing_does_not_wait_for_a_blocked_output(make_estimate) -> None:
     sink.open.clear()
     streams = Streams([sink])
     streams.offer(make_estimate())
-    started = time.monotonic()
     streams.close()
-    assert time.monotonic() - started < 3
+    assert sink.got == [], "it is still blocked"
     sink.open.set()
 
 
