@@ -16,6 +16,7 @@ from tracker.fusion.chain.finger_grid import (
     prior,
 )
 from tracker.messages import Array
+from tracker.vision.cloth import INSIDE, OUTSIDE
 from tracker.vision.finger_cloth import (
     BEND,
     FLEXION,
@@ -30,7 +31,6 @@ from tracker.vision.finger_cloth import (
     finger_likelihoods,
 )
 from tracker.vision.rig import ideal_rig
-from tracker.vision.tip_scan import INSIDE, OUTSIDE
 
 AWAY, PITCH = 0.4, 3.0  # m from the camera, and px between two samples
 NEIGHBOUR = np.array([0.0, 0.0, 0.3, 0.0, 0.5])

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tests.cloth_masks import cloth_of
-from tracker.vision.cloth import cloth_map
+from tracker.vision.cloth import INSIDE, NOTHING, OUTSIDE, cloth_map
 from tracker.vision.finger_cloth import (
     SAMPLES,
     Finger,
@@ -17,7 +17,6 @@ from tracker.vision.finger_cloth import (
     separates,
 )
 from tracker.vision.rig import ideal_rig
-from tracker.vision.tip_scan import INSIDE, NOTHING, OUTSIDE
 
 PITCH = 3.0  # px between two samples
 AWAY = 0.4  # m from the camera

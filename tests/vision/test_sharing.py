@@ -9,10 +9,9 @@ import pytest
 
 from tests.cloth_masks import cloth_of
 from tracker.messages import BlobFrame, Blobs
-from tracker.vision.cloth import cloth_map
+from tracker.vision.cloth import INSIDE, NOTHING, cloth_at, cloth_map
 from tracker.vision.rig import ideal_rig
 from tracker.vision.sharing import OTHERS, HandInView, share, taken_twice
-from tracker.vision.tip_scan import INSIDE, NOTHING, cloth_at
 from tracker.vision.visibility import HandShape, MarkerRows, PosedHand
 
 RIG = ideal_rig()

@@ -27,6 +27,7 @@ from tracker.vision.hue_table import HueTable, colour_class
 
 SIDE, STEP = 8, 2  # samples along a tile, and px between two samples
 TILE = SIDE * STEP  # px
+NOTHING, OUTSIDE, INSIDE = 0, 1, 2  # classes of a pixel
 REACH = 4.0  # times a blob's longer side: the distance from a thumb's last marker to its tip
 
 
@@ -35,6 +36,20 @@ class ClothMap(NamedTuple):
 
     bits: IntMatrix
     known: ByteMatrix
+
+
+@kernel
+def cloth_at(cloth: ClothMap, u: float, v: float) -> int:
+    """`INSIDE` where the pixel has the glove's colours, `OUTSIDE` where not, `NOTHING` if
+    unknown."""
+    x, y = int(np.floor(u + 0.5)), int(np.floor(v + 0.5))
+    j, i = y // TILE, x // TILE
+    if j < 0 or i < 0 or j >= cloth.known.shape[0] or i >= cloth.known.shape[1]:
+        return NOTHING
+    if cloth.known[j, i] == 0:
+        return NOTHING
+    bit = (y % TILE) // STEP * (TILE // STEP) + (x % TILE) // STEP
+    return INSIDE if (cloth.bits[j, i] >> np.int64(bit)) & 1 else OUTSIDE
 
 
 def cloth_around(image: NDArray[np.uint8], table: HueTable, blobs: Blobs) -> Cloth:

@@ -23,9 +23,8 @@ from tracker.kernels.arrays import (
     Vector,
     Written,
 )
-from tracker.vision.cloth import ClothMap
+from tracker.vision.cloth import INSIDE, NOTHING, OUTSIDE, ClothMap, cloth_at
 from tracker.vision.rig import NEAREST, Optics, StereoIntrinsics, raw_pixel
-from tracker.vision.tip_scan import INSIDE, NOTHING, OUTSIDE, cloth_at
 
 SAMPLES = 96  # along a side of a window
 SPACING = 0.002  # m on the hand between two samples
@@ -90,7 +89,7 @@ def _raw_nodes(window: Vector, camera: Optics) -> Stack:
 
 @kernel(wide=True)
 def cloth_window(cloth: ClothMap, window: Vector, camera: Optics) -> ByteMatrix:
-    """The class (`tip_scan.INSIDE`, …) of each sample, (n, n), of a window (`FingerImages`)."""
+    """The class (`cloth.INSIDE`, …) of each sample, (n, n), of a window (`FingerImages`)."""
     nodes = _raw_nodes(window, camera)
     out = np.empty((SAMPLES, SAMPLES), np.uint8)
     for y in range(SAMPLES):

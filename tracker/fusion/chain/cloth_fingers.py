@@ -42,6 +42,7 @@ from tracker.messages import Array, BlobFrame, CameraPose
 from tracker.vision.finger_cloth import ASIDE, BEND, FLEXION, Finger, finger_joints
 from tracker.vision.rig import StereoRig
 
+AHEAD = 0.02  # m from the knuckles along the palm, of the centre of a window
 APART = 0.09  # s between two evaluated images of a finger
 SPARSE = 0.05  # s between images from which all fingers are evaluated in the same image
 INDEPENDENT_AFTER = 0.05  # s after which outlines are independent of each other
@@ -187,9 +188,9 @@ class ClothFingers:
             return
         hand = self._complete(state)
         fingers = [self._finger(d, hand, pose) for d in self.digits]
-        views = finger_views(
-            self._rig, pose, cloths, self._known.capsules(hand.R, hand.p, hand.scale), fingers
-        )
+        known = self._known.capsules(hand.R, hand.p, hand.scale)
+        centre = np.mean([f.base + AHEAD * f.palm[:, 0] for f in fingers], axis=0)
+        views = finger_views(self._rig, pose, cloths, known, centre)
         if not views:
             self.no_image(state.t)
             return

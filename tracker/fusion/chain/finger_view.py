@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from tracker.hand.model import HandModel
 from tracker.messages import Array, CameraPose, Cloth, IntArray
 from tracker.vision.cloth import cloth_map
+from tracker.vision.end_cloth import EndImages, end_evidence
 from tracker.vision.finger_cloth import (
     SAMPLES,
     SPACING,
@@ -25,7 +26,6 @@ from tracker.vision.finger_cloth import (
 )
 from tracker.vision.rig import NEAREST, Camera, StereoRig
 
-AHEAD = 0.02  # m from the knuckles along the palm, of the centre of a window
 LINES = 5  # capsules side by side that represent a broad segment
 PALM_START = np.array([0.017, 0.24, -0.009])  # of a metacarpal: m, share of the knuckle's y, m
 PALM_END = np.array([-0.003, 0.002, -0.008])  # m from the knuckle; y outwards
@@ -40,6 +40,14 @@ class KnownParts(NamedTuple):
     segment: IntArray
     ends: Array
     radius: Array
+
+    @classmethod
+    def ends_of(cls, hand: HandModel, rows: Sequence[int]) -> KnownParts:
+        """One capsule on each of the segments ``rows``."""
+        segments = [hand.segments[i] for i in rows]
+        ends = [((0.0, 0.0, 0.0), (s.length, 0.0, 0.0)) for s in segments]
+        radius = np.array([s.radius for s in segments], float)
+        return cls(np.array(rows, np.int64), np.array(ends, float).reshape(-1, 2, 3), radius)
 
     @classmethod
     def of(cls, hand: HandModel, without: Sequence[int], fingers: Sequence[int]) -> KnownParts:
@@ -82,17 +90,22 @@ class FingerView(NamedTuple):
     classes: NDArray[np.uint8]
     known: Array
 
+    @property
+    def is_right(self) -> bool:
+        """Whether it is a window of the right image."""
+        return bool(self.window[0] > 0.0)
+
 
 def finger_views(
     rig: StereoRig,
     pose: CameraPose,
     cloths: Sequence[Cloth | None],
     known: tuple[Array, Array],
-    fingers: Sequence[Finger],
+    centre: Array,
 ) -> list[FingerView]:
-    """The cameras in whose images the glove's cloth differs from its surroundings."""
+    """The cameras in whose images the glove's cloth differs from its surroundings; windows are
+    about ``centre`` (3,) m in C."""
     ends = (known[0] - pose.p_GC) @ pose.R_GC
-    centre = np.mean([f.base + AHEAD * f.palm[:, 0] for f in fingers], axis=0)
     if min(centre[2], ends[..., 2].min()) <= 3 * NEAREST:
         return []
     views = [
@@ -141,3 +154,15 @@ def rim_part(posture: Array, images: FingerImages) -> float:
     """What the rim contributes to the ln of the likelihood ratio of a posture (5,): negative where
     the finger is in front of other things with the glove's colours."""
     return float(finger_likelihoods(posture[None], images._replace(inside=0.0))[0])
+
+
+def end_images(
+    ends: Array, radius: Array, rig: StereoRig, views: Sequence[FingerView]
+) -> EndImages:
+    """The evidence of the last segment of a digit (eq. 59), where capsules with ``ends`` (k, 2, 3)
+    m in C and ``radius`` (k,) m are those of other digits."""
+    of, sums = rig.intrinsics, []
+    for view in views:
+        others = covered(ends, radius, of, view.window)
+        sums.append(end_evidence(view.classes, view.known, others, float(view.window[3]) ** 2))
+    return EndImages(of, np.array([v.window for v in views]), np.array(sums))

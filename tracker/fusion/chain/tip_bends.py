@@ -6,36 +6,35 @@ their correlation with it is neglected, as for the wearer's synergies.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import block_diag
 
 from tracker.base.records import record
 from tracker.fusion.chain.distal import ASIDE, OFFSET, OWN, RATIO, DistalSegments, Synergies
 from tracker.fusion.chain.driven_ends import driven_points
+from tracker.fusion.chain.finger_view import FingerView, KnownParts, end_images, finger_views
 from tracker.fusion.chain.kinematics import segment_positions
 from tracker.fusion.chain.layout import ChainLayout, Points
-from tracker.fusion.chain.prediction import PosedRig, pixel_jacobians
+from tracker.fusion.chain.prediction import PosedRig
 from tracker.fusion.chain.row_exposure import RowExposure, exposed, marker_velocities
 from tracker.fusion.chain.shown import ShownHand
 from tracker.fusion.chain.state import ChainState
-from tracker.messages import Array, BlobFrame, CameraPose, IntArray
-from tracker.vision.cloth import ClothMap, cloth_map
-from tracker.vision.rig import NEAREST, Camera, StereoRig
-from tracker.vision.tip_scan import ExpectedTip, scan_tip
+from tracker.messages import Array, BlobFrame, CameraPose, Cloth, IntArray
+from tracker.vision.end_cloth import ExpectedEnd, fit_end
+from tracker.vision.rig import NEAREST, StereoRig
 from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, seen_from, visibility
 
-LASTS = 1.0  # s for which a measured end joint is assumed constant
-APART = 0.15  # s between two evaluated images: successive outlines are not independent
+LASTS = 0.5  # s for which a measured end joint is assumed constant
+APART = 0.09  # s between two evaluated images
+INDEPENDENT_AFTER = 0.5  # s after which outlines are independent of each other: parts of the hand
+# that are not exactly where they are assumed remain there
+LEAST_LIKELY = 3.0  # ln of the likelihood ratio of the segment to none
+PREDICTION_VARIANCE = np.deg2rad(1.0) ** 2 * np.eye(2)  # of the expected bend
 CLOTH = 0.001  # m, of the glove's cloth on the skin
 LEAST_VISIBLE = 0.5  # probability that a camera sees a tip, required to evaluate it
-END = 0.008  # m along the finger: gloves end slightly before a fingertip or beyond it
-PIXEL_PX = 1.5  # of a position in the image
-GATE = 9.0  # innovation squared over its variance, for each of its numbers
-STEP_PX = 1.0  # of the difference quotient from rectified to raw pixels
 BEND, SIDE = 0, 1
 
 
@@ -60,7 +59,12 @@ class TipBends:
     ) -> None:
         self._layout, self._rig, self._distal, self._shown = layout, rig, distal, shown
         self._shape = HandShape.of(layout.hand)
-        segments = [layout.hand.segments[d.segment] for d in distal.digits]
+        hand, rows = layout.hand, [d.segment for d in distal.digits]
+        first = np.flatnonzero(hand.parent == hand.root).tolist()
+        unsensed = [i for i in first if i not in layout.row_of]
+        self._known = KnownParts.of(hand, rows, unsensed)
+        self._ends = KnownParts.ends_of(hand, rows)
+        segments = [hand.segments[i] for i in rows]
         self._radius = np.array([s.radius + CLOTH for s in segments])
         self._reach = np.array([s.length for s in segments]) - self._radius
         self.saved = TipBendsSavedState()
@@ -131,27 +135,41 @@ class TipBends:
             return False
         lay, ends = self._layout, self._shown.confidence.ends
         driven = ends.driven_ends._replace(length=self._reach)
-        points, J, C, drive = driven_points(
+        points, J, _, drive = driven_points(
             lay.skeleton, lay.R_rest, lay.blocks, state.body, driven, ends.own, state.p, state.P
         )
-        worn = self.saved.bend
+        worn, before = self.saved.bend, self.saved.t
         self._age(state.t, own, drive[:, 0])
-        shift = np.zeros_like(J[..., 0, :]) if not len(worn) else worn - self.saved.bend
-        maps = [None if c is None else cloth_map(c) for c in sides]
-        view, there = PosedRig.of(self._rig, pose), self.in_sight(state, points[:, 1], pose)
+        shift = self.saved.bend - worn if len(worn) else np.zeros_like(self.saved.bend)
+        there = self.in_sight(state, points[:, 1], pose)
         if exposure is not None:
+            view = PosedRig.of(self._rig, pose)
             points = self._when_exposed(points, driven.parent, state, exposure, view)
+        p_C = (points - pose.p_GC) @ pose.R_GC
+        share = min((state.t - before) / INDEPENDENT_AFTER, 1.0) if state.t >= before else 1.0
+        views, drawn = self._views(state, sides, pose, p_C)
+        if drawn[0][..., 2].min() <= 3 * NEAREST:
+            return True
         for k in range(len(J)):
-            p_C = (points[k] - pose.p_GC) @ pose.R_GC
-            if p_C[:, 2].min() <= NEAREST:
-                continue
-            A = pixel_jacobians(np.ascontiguousarray(p_C[1:]), view)[:, 0]
-            radius = self._radius[k] * drive[k, 1] / p_C[1, 2] * self._rig.fx
-            along = (points[k, 1] - points[k, 0]) / self._reach[k] * END
-            tip = _Tip(p_C, A, radius, J[k], C[k] + np.outer(along, along), shift[k])
-            seen = [m if sees else None for m, sees in zip(maps, there[:, k], strict=True)]
-            self._correct(k, tip, seen)
+            seen = [v for v in views if there[int(v.is_right), k]]
+            if seen:
+                others = np.arange(len(J)) != k
+                images = end_images(drawn[0][others], drawn[1][others], self._rig, seen)
+                axis, radius = p_C[k, 1] - p_C[k, 0], self._radius[k] * drive[k, 1]
+                P = self.saved.P[k] + PREDICTION_VARIANCE
+                end = ExpectedEnd(p_C[k, 0], axis, J[k].T @ pose.R_GC, radius, shift[k], P)
+                self._correct(k, fit_end(end, images, share))
         return True
+
+    def _views(
+        self, state: ChainState, cloths: Sequence[Cloth | None], pose: CameraPose, p_C: Array
+    ) -> tuple[list[FingerView], tuple[Array, Array]]:
+        """The images about the points p_C (d, 2, 3) m, and the capsules in C of the displayed last
+        segments: ends (d, 2, 3) m and radii (d,) m."""
+        hand, centre = self._displayed(state), p_C.reshape(-1, 3).mean(axis=0)
+        views = finger_views(self._rig, pose, cloths, self._known.capsules(*hand), centre)
+        ends, radius = self._ends.capsules(*hand)
+        return views, ((ends - pose.p_GC) @ pose.R_GC, radius)
 
     def _when_exposed(
         self,
@@ -177,14 +195,18 @@ class TipBends:
     def in_sight(self, state: ChainState, middle: Array, pose: CameraPose) -> NDArray[np.bool_]:
         """(2, d) whether a camera sees the tips whose middles are (d, 3) m in G: no part of the
         displayed hand occludes them."""
-        p_GB = segment_positions(state, self._layout)
-        R_all, p_all, *_ = self._shown.complete(state.R_GB, p_GB, state.scale3())
+        R_all, p_all, _ = self._displayed(state)
         to_camera = pose.p_GC - middle
         normal = to_camera / np.linalg.norm(to_camera, axis=1)[:, None]
         segment = np.array([d.segment for d in self._distal.digits], np.int64)
         tips = MarkerRows(middle + self._radius[:, None] * normal, normal, segment)
         prior = visibility(PosedHand(self._shape, R_all, p_all), tips, self._rig, pose)
         return prior >= LEAST_VISIBLE
+
+    def _displayed(self, state: ChainState) -> tuple[Array, Array, Array]:
+        """R_GB (S, 3, 3), p_GB (S, 3) m and scale (S, 3) of the displayed hand."""
+        p_GB = segment_positions(state, self._layout)
+        return self._shown.complete(state.R_GB, p_GB, state.scale3())[:3]
 
     def _age(self, t: float, own: Synergies, drive: Array) -> None:
         """Ageing: a measured end joint remains valid for a while, then its driving joint determines
@@ -197,63 +219,11 @@ class TipBends:
         P = left**2 * saved.P + (1.0 - left**2) * prior
         self.saved = TipBendsSavedState(left * saved.bend, drive, P, t)
 
-    def _correct(self, k: int, tip: _Tip, maps: list[ClothMap | None]) -> None:
-        """Corrects the digit ``k`` by its tip in the images (eq. 60)."""
-        x, P = self.saved.bend, self.saved.P
-        r, R, A = [], [], []
-        for c, (camera, cloth) in enumerate(
-            zip((self._rig.left, self._rig.right), maps, strict=True)
-        ):
-            if cloth is None:
-                continue
-            spread = tip.C + tip.J @ P[k] @ tip.J.T
-            S = tip.A[c] @ spread @ tip.A[c].T + PIXEL_PX**2 * np.eye(2)
-            seen = _seen(cloth, camera, self._rig.project(tip.p_C, right=bool(c)), tip.radius, S)
-            if seen is not None:
-                A.append(tip.A[c])
-                r.append(seen[0] + tip.A[c] @ tip.J @ tip.shift)
-                R.append(seen[1] + PIXEL_PX**2 * np.eye(2))
-        if not r:
+    def _correct(self, k: int, found: Array) -> None:
+        """Corrects the digit ``k`` by the result of `fit_end` (eq. 60)."""
+        likely, flexion, lateral, a, b, c = found
+        if likely < LEAST_LIKELY:
             return
-        H = np.concatenate(A) @ tip.J
-        innovation, noise = np.concatenate(r), block_diag(*R)
-        S = H @ P[k] @ H.T + np.concatenate(A) @ tip.C @ np.concatenate(A).T + noise
-        if innovation @ np.linalg.solve(S, innovation) > GATE * len(innovation):
-            return
-        K = np.linalg.solve(S, H @ P[k]).T
-        x[k] += K @ innovation
-        P[k] -= K @ H @ P[k]
-
-
-class _Tip(NamedTuple):
-    """For a digit: joint and middle of the tip p_C (2, 3) m, A (2, 2, 3) of the latter in both
-    images, radius px, J (3, 2) and C (3, 3) of `driven_points`, shift (2,) rad from the present
-    estimate to the values in use."""
-
-    p_C: Array
-    A: Array
-    radius: float
-    J: Array
-    C: Array
-    shift: Array
-
-
-def _seen(
-    cloth: ClothMap, camera: Camera, uv: Array, radius: float, S: Array
-) -> tuple[Array, Array] | None:
-    """The offset (2,) of a tip from its prediction, and its variance (2, 2), in rectified px; None
-    where the image does not show the tip (eq. 59).
-
-    uv (2, 2) rectified px of joint and middle; the image is evaluated as it was recorded.
-    """
-    joint, middle = uv
-    steps = np.array([joint, middle, middle + (STEP_PX, 0.0), middle + (0.0, STEP_PX)])
-    raw = camera.unrectify(steps)
-    B = (raw[2:] - raw[1]).T / STEP_PX
-    scale = float(np.sqrt(abs(np.linalg.det(B))))
-    expected = ExpectedTip(raw[1].copy(), raw[0].copy(), radius * scale, B @ S @ B.T)
-    found, u, v, uu, uv_, vv = scan_tip(cloth, expected)
-    if not found:
-        return None
-    back = np.linalg.inv(B)
-    return back @ (u, v), back @ np.array([[uu, uv_], [uv_, vv]]) @ back.T
+        before = self.saved.P[k]
+        self.saved.bend[k] += (flexion, lateral)
+        self.saved.P[k] = min(1.0, np.trace(before) / (a + c)) * np.array([[a, b], [b, c]])
