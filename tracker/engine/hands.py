@@ -54,22 +54,23 @@ class Sided(NamedTuple):
 class TwoHandsSavedState:
     """The state of two hands. ``left`` and ``right`` are their pipelines', ``last`` is the result
     of the newest image for each of them, the left one first. Then the instants (s) of the last
-    images in which a hand could be searched for, in its last posture and without prior
-    knowledge."""
+    images in which a hand could be searched for, in its last posture and without prior knowledge;
+    and the side of the hand that restarts with the next image, if any."""
 
     left: PipelineSavedState
     right: PipelineSavedState
     last: list[FrameResult | None]
     last_near: float = -np.inf
     last_full: float = -np.inf
+    weaker: str = ""
 
 
 class Hands:
     """A pipeline for each side, fed with its own glove's packets and with one camera's images.
 
     ``make`` builds the pipeline of each side, left or right or both. When two hands were found in
-    the same position, that of the weaker one restarts. ``alone``: there is only one hand. Raises
-    ConfigError if a glove is for the other side.
+    the same position, that of the weaker one restarts with the next image. ``alone``: there is only
+    one hand. Raises ConfigError if a glove is for the other side.
     """
 
     def __init__(self, make: Mapping[str, Callable[[], Pipeline]]) -> None:
@@ -90,6 +91,7 @@ class Hands:
         self._last: dict[str, FrameResult | None] = dict.fromkeys(self.pipelines)
         self._results: dict[str, list[FrameResult]] = {side: [] for side in self.pipelines}
         self._last_near = self._last_full = -np.inf
+        self._weaker = ""
 
     @property
     def engine(self) -> str:
@@ -105,11 +107,21 @@ class Hands:
 
     def feed_frame(self, frame: BlobFrame) -> None:
         """Feeds the blobs of an image of all hands."""
+        for feed in self.feeds(frame).values():
+            feed()
+
+    def feeds(self, frame: BlobFrame) -> Mapping[str, Callable[[], None]]:
+        """The parts of `feed_frame`, by the side of their hands: both are to be called, in any
+        order, and a hand's packets may be fed after its own part and before the other's. Estimates
+        do not depend on either order."""
         if self.alone:
-            self._main.feed_frame(frame)
-            return
-        for pipeline, own in zip(self.pipelines.values(), self._shares(frame), strict=True):
-            pipeline.feed_frame(own)
+            return {side: partial(p.feed_frame, frame) for side, p in self.pipelines.items()}
+        self._restart_weaker()
+        shares = zip(self.pipelines, self._shares(frame), strict=True)
+        return {side: partial(self._feed_share, side, own) for side, own in shares}
+
+    def _feed_share(self, side: str, own: BlobFrame) -> None:
+        self.pipelines[side].feed_frame(own)
         self._collect()
 
     def _shares(self, frame: BlobFrame) -> list[BlobFrame]:
@@ -174,7 +186,7 @@ class Hands:
                 self._separate()
 
     def _separate(self) -> None:
-        """Restarts the hand with fewer markers if both hands matched the same blobs.
+        """Notes the hand with fewer markers if both hands matched the same blobs.
 
         Blobs that a tracked hand expects are not given to the other hand, so this happens only at
         a start: both hands were searched for in the same image, and one was found at the other.
@@ -182,11 +194,14 @@ class Hands:
         left, right = (self._last[side] for side in SIDES)
         if left is None or right is None or left.t != right.t:
             return
-        if in_common(left, right) < CLASH_BLOBS:
-            return
-        weaker = SIDES[int(agreement(left) > agreement(right))]
-        self.pipelines[weaker].set_state(self._fresh[weaker])
-        self._last[weaker] = None
+        if in_common(left, right) >= CLASH_BLOBS:
+            self._weaker = SIDES[int(agreement(left) > agreement(right))]
+
+    def _restart_weaker(self) -> None:
+        """Not before the next image: the other hand's part may be processed after packets."""
+        if self._weaker:
+            self.pipelines[self._weaker].set_state(self._fresh[self._weaker])
+            self._last[self._weaker], self._weaker = None, ""
 
     def get_state(self) -> PipelineSavedState | TwoHandsSavedState:
         """Returns the state that estimates depend on; that of the pipeline if there is one hand."""
@@ -194,7 +209,8 @@ class Hands:
             return self._main.get_state()
         left, right = (self.pipelines[side].get_state() for side in SIDES)
         last = [self._last[side] for side in SIDES]
-        return TwoHandsSavedState(left, right, last, self._last_near, self._last_full)
+        near, full = self._last_near, self._last_full
+        return TwoHandsSavedState(left, right, last, near, full, self._weaker)
 
     def set_state(self, state: Any) -> None:
         """Restores a state that `get_state` returned."""
@@ -205,6 +221,7 @@ class Hands:
         self.pipelines["right"].set_state(state.right)
         self._last = dict(zip(SIDES, state.last, strict=True))
         self._last_near, self._last_full = state.last_near, state.last_full
+        self._weaker = state.weaker
 
 
 def is_for(event: Event, side: str) -> bool:

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import threading
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import TypeVar
 
@@ -148,6 +148,23 @@ class Inbox:
             if self._closed:
                 raise Closed
             return None
+
+    def packet_of(self, side: str) -> Sided | None:
+        """Removes the oldest packet of this hand and returns it; None if there is none, or if
+        something other than a packet waits before it."""
+        with self._changed:
+            for k, item in enumerate(self._items):
+                if not isinstance(item, Sided):
+                    return None
+                if item.side == side:
+                    del self._items[k]
+                    return item
+            return None
+
+    def in_order(self, sides: Iterable[str]) -> list[str]:
+        """The sides in the order in which their next packets are expected."""
+        with self._changed:
+            return sorted(sides, key=self._rhythm.expected)
 
     def took(self, item: Item, seconds: float) -> None:
         """The item was processed within ``seconds``."""

@@ -23,6 +23,7 @@ from tracker.live.inbox import (
     DetectedFrame,
     EngineCommand,
     GuidedCommand,
+    Inbox,
     Item,
     MotorCommand,
     ResetCommand,
@@ -49,6 +50,8 @@ from tracker.vision.rig import StereoRig
 
 BEST = (Tracking.SEARCHING, Tracking.LOST, Tracking.COASTING, Tracking.TRACKING)
 """In ascending order."""
+
+MOST_BETWEEN = 3  # packets of one hand between its part of an image and the other hand's
 
 REPEAT_AFTER = 5.0  # s for which a notice of one hand is not repeated by the other
 
@@ -120,8 +123,10 @@ class LiveLoop:
         telemetry: Telemetry,
         clock: Callable[[], float],
         order: ArrivalOrder | None = None,
+        inbox: Inbox | None = None,
     ) -> None:
-        self.hands = hands
+        """``inbox``: where messages wait that are fed next."""
+        self.hands, self._inbox = hands, inbox or Inbox(clock)
         self.journal, self.telemetry, self.clock = journal, telemetry, clock
         self.priority = RightOfWay()
         pipelines, alone = hands.pipelines, len(hands.pipelines) == 1
@@ -201,9 +206,12 @@ class LiveLoop:
             for hand in self.seen.values():
                 hand.frames.wait_for(DetectedFrame(found.frame, blobs))
             self.journal.record(blobs)
-            self.hands.feed_frame(blobs)
-            for side, hand in self.seen.items():
-                hand.follow_images(self.hands.pipelines[side], blobs)
+            feeds = self.hands.feeds(blobs)
+            for side in self._inbox.in_order(feeds):
+                feeds[side]()
+                self.seen[side].follow_images(self.hands.pipelines[side], blobs)
+                if len(feeds) > 1:  # the hand's own packets need not wait for the other's part
+                    self._feed_waiting(side)
         self._feed_reference(blobs)
         if self._exchange is not None:
             self._exchange.frame(blobs)
@@ -214,6 +222,14 @@ class LiveLoop:
             self.colours.look(blobs, _best(hand.tracking for hand in self.seen.values()))
         now = self.clock()
         self.load.image(now, now - found.frame.t_arrival, found.missed)
+
+    def _feed_waiting(self, side: str) -> None:
+        """Processes packets of a hand that wait, before its other messages."""
+        for _ in range(MOST_BETWEEN):
+            packet = self._inbox.packet_of(side)
+            if packet is None:
+                return
+            self._feed(packet)
 
     def _feed_reference(self, message: Sided | BlobFrame | WristPose) -> None:
         reference = self._reference

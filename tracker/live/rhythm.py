@@ -35,6 +35,10 @@ class PacketRhythm:
         period = self._period.setdefault(side, now - last)
         self._period[side] += NEW * (min(now - last, MISSED * period) - period)
 
+    def expected(self, side: str) -> float:
+        """When the next packet of this hand is expected; infinite without packets."""
+        return self._last[side] + self._period[side] if side in self._period else math.inf
+
     def image(self, took: float) -> None:
         """An image was processed within ``took``."""
         self._takes += NEW * (took - self._takes)

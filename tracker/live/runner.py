@@ -73,8 +73,8 @@ class LiveTracker:
         see `ThreadGroup`."""
         self._gloves, self._camera = gloves, camera
         self._journal, telemetry = Journal(clock), Telemetry()
-        self._loop = LiveLoop(hands, self._journal, telemetry, clock)
         self._clock, self._inbox = clock, Inbox(clock)
+        self._loop = LiveLoop(hands, self._journal, telemetry, clock, inbox=self._inbox)
         self._vision = Vision(profile, make_detector, self._inbox, self._loop)
         side = MAIN if MAIN in hands.pipelines else next(iter(hands.pipelines))
         follower = _follower(profile, hands.pipelines[side])  # one hand determines the colours
