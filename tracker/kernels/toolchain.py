@@ -53,6 +53,7 @@ def link_module(name: str, functions: Path, runtime: Path, folder: Path) -> None
         [_source("module.c")],
         define_macros=[("MODULE", name)],
         extra_objects=[str(functions)],
+        depends=[str(functions)],  # or an older library of this name is kept
         extra_link_args=ONLY_CALLED.get(sys.platform, []),
         libraries=[RUNTIME, *system],
         library_dirs=[str(runtime)],
