@@ -65,8 +65,8 @@ def test_an_inlet_reads_a_recording_with_its_stamps(recorded: RecordedHand, wait
         inlet = pylsl.StreamInlet(found[0])
         inlet.open_stream(timeout=5)
         wait_for(lambda: out.probe().code == "stream.test_read")
-        labels = inlet.info(5).get_channel_labels()
-        clock = inlet.info(5).desc().child("clock")
+        info = inlet.info(5)  # owns what its description returns
+        labels, clock = info.get_channel_labels(), info.desc().child("clock")
         for e in recorded.estimates:
             t = time.monotonic()
             out.send(replace(e, t=t))
