@@ -57,6 +57,24 @@ print("unchanged")
     assert output(code) == "unchanged"
 
 
+def test_threads_of_the_host_that_overlap_leave_its_settings() -> None:
+    """Whichever ends first."""
+    code = """
+import cv2
+from tracker.base.numeric_threads import one_numeric_thread
+cv2.setNumThreads(3)
+first, second, found = one_numeric_thread(), one_numeric_thread(), []
+for step in (first.__enter__, second.__enter__):
+    step()
+    found.append(cv2.getNumThreads())
+for each in (first, second):
+    each.__exit__(None, None, None)
+    found.append(cv2.getNumThreads())
+print(found)
+"""
+    assert output(code) == "[1, 1, 1, 3]"
+
+
 def test_opencv_has_one_thread_in_processes_of_our_own() -> None:
     """Also where it was loaded before."""
     for first in ("app, cv2", "cv2, app"):

@@ -193,7 +193,10 @@ def test_a_gesture_does_not_wait_for_pinches_that_are_solved_in_advance(monkeypa
         return solve(hand, name, wearer)
 
     monkeypatch.setattr(demo_module, "gesture_angles", slow)
-    send = lambda asked, gesture: shown.put((gesture, asked.angles))  # noqa: E731
+
+    def send(asked, gesture):
+        shown.put((gesture, asked.angles))
+
     wearer = demo_module.GuidedWearer(simulation, send, time.monotonic())
     for gesture in ("open", "fist", "pinch_ring"):
         wearer.show_gesture(gesture)

@@ -10,8 +10,9 @@ from __future__ import annotations
 
 import os
 import sys
+import threading
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 
 VARIABLES = (
     "OPENBLAS_NUM_THREADS",
@@ -36,16 +37,33 @@ def limit_this_process() -> None:
         cv2.setNumThreads(1)
 
 
+_changing = threading.Lock()
+_limits = ExitStack()
+_within = 0  # calls that are within `one_numeric_thread`
+
+
 @contextmanager
 def one_numeric_thread() -> Iterator[None]:
-    """One thread within a ``with``; the host's settings are restored after it."""
+    """One thread within a ``with``; the host's settings are restored at the end of the last one,
+    since threads of the host may call us at the same time."""
+    global _within
+    with _changing:
+        if _within == 0:
+            _limit_until(_limits)
+        _within += 1
+    try:
+        yield
+    finally:
+        with _changing:
+            _within -= 1
+            if _within == 0:
+                _limits.close()
+
+
+def _limit_until(end: ExitStack) -> None:
     import cv2
     from threadpoolctl import threadpool_limits
 
-    threads = cv2.getNumThreads()
-    with threadpool_limits(1, "blas"):
-        cv2.setNumThreads(1)
-        try:
-            yield
-        finally:
-            cv2.setNumThreads(threads)
+    end.enter_context(threadpool_limits(1, "blas"))
+    end.callback(cv2.setNumThreads, cv2.getNumThreads())
+    cv2.setNumThreads(1)

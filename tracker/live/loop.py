@@ -206,22 +206,27 @@ class LiveLoop:
             for hand in self.seen.values():
                 hand.frames.wait_for(DetectedFrame(found.frame, blobs))
             self.journal.record(blobs)
-            feeds = self.hands.feeds(blobs)
-            for side in self._inbox.in_order(feeds):
-                feeds[side]()
-                self.seen[side].follow_images(self.hands.pipelines[side], blobs)
-                if len(feeds) > 1:  # the hand's own packets need not wait for the other's part
-                    self._feed_waiting(side)
-        self._feed_reference(blobs)
-        if self._exchange is not None:
-            self._exchange.frame(blobs)
-        for hand in self.seen.values():
-            if hand.sides is not None:
-                hand.sides.frame(blobs)
+            self._feed_reference(blobs)
+            if self._exchange is not None:
+                self._exchange.frame(blobs)
+            self._feed_parts(blobs)
         if any(hand.estimate is not None for hand in self.seen.values()):
             self.colours.look(blobs, _best(hand.tracking for hand in self.seen.values()))
         now = self.clock()
         self.load.image(now, now - found.frame.t_arrival, found.missed)
+
+    def _feed_parts(self, blobs: BlobFrame) -> None:
+        """Feeds an image to one hand after the other; in between, the first one's packets need not
+        wait for the second one's part."""
+        feeds = self.hands.feeds(blobs)
+        for k, side in enumerate(self._inbox.in_order(feeds)):
+            feeds[side]()
+            hand = self.seen[side]
+            hand.follow_images(self.hands.pipelines[side], blobs)
+            if hand.sides is not None:
+                hand.sides.frame(blobs)
+            if k + 1 < len(feeds):
+                self._feed_waiting(side)
 
     def _feed_waiting(self, side: str) -> None:
         """Processes packets of a hand that wait, before its other messages."""
