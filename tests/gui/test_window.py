@@ -302,6 +302,7 @@ def test_without_space_a_field_is_omitted_instead_of_truncated(window, qtbot):
     values |= {"latency_total_ms": 9.0, "latency_total_p99_ms": 30.0, "imu_lost": 0.0}
     status = Status(0.0, Tracking.COASTING, values | {"load_shed": 4.0})
     bar = window.bar
+    window.ticker.stop()  # it would show that nothing runs
     for width in (1366, 800):
         window.resize(width, 768)
         bar.show_status(status, running=True)
@@ -326,6 +327,7 @@ def test_latency_and_losses_are_shown_on_a_small_screen_at_150_percent(window, q
     values |= {"latency_total_ms": 9.0, "latency_total_p99_ms": 30.0}
     values |= {"imu_lost": 0.0, "frames_dropped": 36.0}
     bar = window.bar
+    window.ticker.stop()  # it would show that nothing runs
     window.setMinimumSize(0, 0)
     window.resize(width, 512)
     bar.show_recording("Recording 12:34", "#000")
