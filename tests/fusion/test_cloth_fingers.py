@@ -13,6 +13,8 @@ from tracker.engine.settings import Settings
 from tracker.fusion.chain.cloth_fingers import LASTS
 from tracker.fusion.chain.confidence import MEASURED_SD
 from tracker.fusion.chain.params import ChainParams, ClothParams
+from tracker.fusion.chain.recognition import SeenImage
+from tracker.fusion.chain.tracker import ChainTracker
 from tracker.gestures.shape import ShapeReader
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -170,3 +172,30 @@ def test_an_engine_measures_them_unless_it_is_set_not_to(
     assert ChainParams().cloth.fingers
     assert not np.array_equal(shown[0].keypoints[row], shown[1].keypoints[row])
     assert shown[1].keypoint_sd[row] < 0.75 * shown[0].keypoint_sd[row]
+
+
+def test_an_image_of_a_fast_camera_is_evaluated_for_fingertips_or_for_one_finger(
+    hand: HandModel, glove: GloveModel, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Which limits what an image costs."""
+    sim = Simulation(hand, glove, RandomPostures(hand, 1, duration=0.9), 1, fps=30)
+    look, times = ChainTracker._look_for_tips, []
+
+    def looked(self: ChainTracker, image: SeenImage) -> None:
+        look(self, image)
+        fitted = self._fingers.saved.fitted_at
+        times.append((max(self._tips.saved.t, -1.0), *(fitted if len(fitted) else (-1.0, -1.0))))
+
+    monkeypatch.setattr(ChainTracker, "_look_for_tips", looked)
+    pipeline = Pipeline(hand, glove, sim.rig, Settings())
+    for message in sim.feed():
+        if isinstance(message, ImuSample):
+            pipeline.feed_imu(message)
+        else:
+            pipeline.feed_frame(with_cloth(sim, message) if message.t > 0.3 else message)
+    changed = np.diff(np.array(times), axis=0) > 0.0
+    since = (
+        int(np.argmax(changed[:, 1:].all(axis=1))) + 1
+    )  # the first image with cloth: all at once
+    assert changed[since:].sum(axis=1).max() == 1
+    assert changed[since:].sum(axis=0).min() >= 4  # in 0.6 s

@@ -112,6 +112,7 @@ def of_cloth() -> dict[str, tuple[Any, ...]]:
     return {
         "tracker.vision.finger_cloth.cloth_window": seen,
         "tracker.vision.finger_cloth.covered": capsules,
+        "tracker.vision.finger_cloth.covered_part": (*capsules, (40, 31)),
         "tracker.vision.finger_cloth.finger_evidence": explained,
         "tracker.vision.finger_cloth.finger_likelihoods": (postures, images),
         "tracker.fusion.chain.finger_grid.prior": (postures[0], finger_grid.INDEPENDENT),

@@ -7,7 +7,14 @@ from tests.cloth_masks import cloth_of, looked_at
 from tracker.messages import Array
 from tracker.vision import end_cloth
 from tracker.vision.cloth import INSIDE, OUTSIDE, cloth_map
-from tracker.vision.end_cloth import EndImages, ExpectedEnd, end_evidence, fit_end
+from tracker.vision.end_cloth import (
+    EndImages,
+    ExpectedEnd,
+    end_evidence,
+    fit_end,
+    part_side,
+    part_start,
+)
 from tracker.vision.finger_cloth import SAMPLES, SPACING, cloth_window
 from tracker.vision.rig import StereoRig, ideal_rig
 
@@ -51,7 +58,7 @@ def images(rig: StereoRig, arm: Array | None, known: Array | None = None) -> End
         classes = cloth_window(cloth_map(cloth_of(mask)), window, camera.optics)
         covered = np.zeros((SAMPLES, SAMPLES)) if known is None else known
         windows.append(window)
-        sums.append(end_evidence(classes, covered, np.zeros_like(covered), pitch**2))
+        sums.append(end_evidence(classes, covered, np.zeros_like(covered), pitch**2, (0, 0)))
     return EndImages(rig.intrinsics, np.array(windows), np.array(sums))
 
 
@@ -70,6 +77,22 @@ def test_the_bend_is_relative_to_the_expected_one(rig: StereoRig) -> None:
     assert fit_end(expected(np.deg2rad(21.0)), seen, 1.0)[1] == pytest.approx(
         0.0, abs=np.deg2rad(2.0)
     )
+
+
+@pytest.mark.parametrize("degrees", [-40.0, 10.0])
+def test_samples_far_from_the_segment_are_not_needed(rig: StereoRig, degrees: float) -> None:
+    """The part of a window that is evaluated contains all that the result depends on."""
+    end, whole = expected(), images(rig, pointing(np.deg2rad(degrees), 0.1))
+    windows, sums, side = [], [], part_side(end)
+    for window, rows in zip(whole.windows, whole.sums, strict=True):
+        left, top = part_start(end, rig.intrinsics, window)
+        assert 0 < left < left + side < SAMPLES and 0 < top < top + side < SAMPLES
+        part = rows[:, top : top + side, left : left + side + 1]
+        sums.append(part - part[..., :1])
+        windows.append(window + window[3] * np.array([0.0, left, top, 0.0]))
+    found = fit_end(end, EndImages(rig.intrinsics, np.array(windows), np.array(sums)), 1.0)
+    assert side < SAMPLES / 2
+    assert found == pytest.approx(fit_end(end, whole, 1.0), abs=1e-9)
 
 
 def test_no_cloth_contradicts_the_segment(rig: StereoRig) -> None:
@@ -97,7 +120,7 @@ def test_sums_along_rows_are_those_of_the_covered_samples() -> None:
     rng = np.random.default_rng(4)
     classes = rng.choice([INSIDE, OUTSIDE], (SAMPLES, SAMPLES)).astype(np.uint8)
     free = np.zeros((SAMPLES, SAMPLES))
-    sums = end_evidence(classes, free, free, end_cloth.PIXELS_ALIKE)
+    sums = end_evidence(classes, free, free, end_cloth.PIXELS_ALIKE, (0, 0))
     inner = np.where(
         classes == INSIDE,
         end_cloth.CLOTH_COVERED - end_cloth.CLOTH_BESIDE,

@@ -15,6 +15,7 @@ import numpy as np
 from tracker.kernels import kernel
 from tracker.kernels.arrays import ByteMatrix, Matrix, Stack, Stack4, Vector
 from tracker.vision.cloth import INSIDE, OUTSIDE
+from tracker.vision.finger_cloth import SPACING
 from tracker.vision.rig import NEAREST, StereoIntrinsics
 
 PIXELS_ALIKE = 40.0  # px² that count as one sample
@@ -26,6 +27,11 @@ FLEXIONS, FLEXION_STEP = 10, np.deg2rad(7.0)  # on each side of the expected ben
 LATERALS, LATERAL_STEP = 3, np.deg2rad(6.0)
 FARTHEST2 = 9.0  # squared standard deviations from the expected bend
 JOINT_SD, AWAY = 0.0015, 1.7  # m of the joint in the image; standard deviations of its positions
+UNLIKELY = (
+    5.0  # ln of the least probability, relative to the highest, of a bend that is tried with a
+)
+# displaced joint
+NEARER = 1.15  # of the distance of a window: a segment that points to the camera looks longer
 FLAT = 0.05  # of the squared lever arm: bends are not corrected along the line of sight of the axis
 WIDEN = np.deg2rad(2.0)  # of the mean, for what the grid does not contain
 
@@ -44,7 +50,8 @@ class ExpectedEnd(NamedTuple):
 
 
 class EndImages(NamedTuple):
-    """Windows (c, 4) (`FingerImages`) and sums (c, 2, n, n + 1) of `end_evidence`."""
+    """Parts of windows, (c, 4) as in `FingerImages`, with sums (c, 2, rows, columns + 1) of
+    `end_evidence`."""
 
     rig: StereoIntrinsics
     windows: Matrix
@@ -52,24 +59,50 @@ class EndImages(NamedTuple):
 
 
 @kernel
-def end_evidence(classes: ByteMatrix, known: Matrix, others: Matrix, area: float) -> Stack:
-    """(2, n, n + 1) sums along rows, up to each sample, of what it contributes inside a capsule,
-    less its contribution beside it; and of the latter. Samples have ``area`` px² and classes (n,
-    n); known and others (n, n) are probabilities that other parts of the hand cover them."""
-    side = len(classes)
-    out = np.zeros((2, side, side + 1))
+def part_side(end: ExpectedEnd) -> int:
+    """Samples along a side of the part of a window that `fit_end` depends on: the segment in any
+    direction, a little nearer to the camera than its joint, and what is beside it."""
+    reach = np.sqrt(np.sum(end.axis**2)) + BESIDE * end.radius + AWAY * JOINT_SD
+    return 2 * int(np.ceil(NEARER * reach / SPACING)) + 3
+
+
+@kernel(error_model="numpy")
+def part_start(end: ExpectedEnd, rig: StereoIntrinsics, window: Vector) -> tuple[int, int]:
+    """(left, top): the first sample of the part of a window that `fit_end` depends on; the part has
+    `part_side` samples along each side."""
+    x, y, z = end.joint
+    half = 0.5 * part_side(end)
+    u = rig.fx * (x - window[0]) / z + rig.cx
+    v = rig.fy * y / z + rig.cy
+    left, top = (u - window[1]) / window[3] - half, (v - window[2]) / window[3] - half
+    return int(np.floor(left)), int(np.floor(top))
+
+
+@kernel
+def end_evidence(
+    classes: ByteMatrix, known: Matrix, others: Matrix, area: float, first: tuple[int, int]
+) -> Stack:
+    """(2, m, m + 1) sums along rows, up to each sample, of what it contributes inside a capsule,
+    less its contribution beside it; and of the latter. Samples of a window have ``area`` px² and
+    classes (n, n); known (n, n) and others (m, m) are probabilities that other parts of the hand
+    cover them, the latter in the part whose ``first`` sample is (left, top). Samples outside
+    of the window contribute nothing."""
+    side, (left, top), count = len(classes), first, len(others)
+    out = np.zeros((2, count, count + 1))
     share = area / PIXELS_ALIKE
-    for y in range(side):
-        inner, outer = 0.0, 0.0
-        for x in range(side):
-            free = share * (1.0 - known[y, x]) * (1.0 - others[y, x])
-            if classes[y, x] == INSIDE:
-                inner += free * (CLOTH_COVERED - CLOTH_BESIDE)
-                outer += free * CLOTH_BESIDE
-            elif classes[y, x] == OUTSIDE:
-                inner += free * (NONE_COVERED - NONE_BESIDE)
-                outer += free * NONE_BESIDE
-            out[0, y, x + 1], out[1, y, x + 1] = inner, outer
+    for j in range(count):
+        inner, outer, y = 0.0, 0.0, top + j
+        for i in range(count):
+            x = left + i
+            if 0 <= y < side and 0 <= x < side:
+                free = share * (1.0 - known[y, x]) * (1.0 - others[j, i])
+                if classes[y, x] == INSIDE:
+                    inner += free * (CLOTH_COVERED - CLOTH_BESIDE)
+                    outer += free * CLOTH_BESIDE
+                elif classes[y, x] == OUTSIDE:
+                    inner += free * (NONE_COVERED - NONE_BESIDE)
+                    outer += free * NONE_BESIDE
+            out[0, j, i + 1], out[1, j, i + 1] = inner, outer
     return out
 
 
@@ -181,8 +214,10 @@ def fit_end(end: ExpectedEnd, images: EndImages, share: float) -> Vector:
     flexion, lateral = _axis_of(end.axis, end.J[0]), _axis_of(end.axis, end.J[1])
     det = end.P[0, 0] * end.P[1, 1] - end.P[0, 1] ** 2
     pp, pq, qq = end.P[1, 1] / det, -end.P[0, 1] / det, end.P[0, 0] / det
-    most, best, total = -np.inf, -np.inf, 0.0
-    mean, square = np.zeros(2), np.zeros(3)
+    count = (2 * FLEXIONS + 1) * (2 * LATERALS + 1)
+    tried, arms, logs = np.empty((count, 2)), np.empty((count, 3)), np.empty(count)
+    most, best, n = -np.inf, -np.inf, 0
+    joint = end.joint[0], end.joint[1], end.joint[2]
     for i in range(-FLEXIONS, FLEXIONS + 1):
         for j in range(-LATERALS, LATERALS + 1):
             p, q = i * FLEXION_STEP, j * LATERAL_STEP
@@ -193,21 +228,30 @@ def fit_end(end: ExpectedEnd, images: EndImages, share: float) -> Vector:
             arm = _rotated(arm, lateral, end.bend[1] + q)
             if end.joint[2] + min(arm[2], 0.0) < 3 * NEAREST:
                 continue
-            for n in range(5):
-                x, y = end.joint[0] + moved[n, 0], end.joint[1] + moved[n, 1]
-                joint = x, y, end.joint[2] + moved[n, 2]
-                likely = _likelihood(joint, arm, end.radius, images)
+            tried[n, 0], tried[n, 1], arms[n] = p, q, arm
+            likely = _likelihood(joint, arm, end.radius, images)
+            logs[n] = share * likely - 0.5 * d2
+            most, best = max(most, likely), max(best, logs[n])
+            n += 1
+    mean, square, total = np.zeros(2), np.zeros(3), 0.0
+    for k in range(n):
+        if logs[k] < best - UNLIKELY:
+            continue
+        p, q = tried[k]
+        for m in range(5):
+            weight = logs[k]
+            if m > 0:
+                x, y = end.joint[0] + moved[m, 0], end.joint[1] + moved[m, 1]
+                joint = x, y, end.joint[2] + moved[m, 2]
+                likely = _likelihood(joint, arms[k], end.radius, images)
                 most = max(most, likely)
-                weight = share * likely - 0.5 * (d2 + (AWAY * AWAY if n > 0 else 0.0))
-                if weight > best:
-                    scale = np.exp(best - weight)
-                    best, total = weight, scale * total
-                    mean, square = scale * mean, scale * square
-                w, x, y = np.exp(weight - best), p + bends[n, 0], q + bends[n, 1]
-                total += w
-                mean[0], mean[1] = mean[0] + w * x, mean[1] + w * y
-                square[0], square[1] = square[0] + w * x * x, square[1] + w * x * y
-                square[2] += w * y * y
+                d2 = pp * p * p + 2.0 * pq * p * q + qq * q * q
+                weight = share * likely - 0.5 * (d2 + AWAY * AWAY)
+            w, x, y = np.exp(weight - best), p + bends[m, 0], q + bends[m, 1]
+            total += w
+            mean[0], mean[1] = mean[0] + w * x, mean[1] + w * y
+            square[0], square[1] = square[0] + w * x * x, square[1] + w * x * y
+            square[2] += w * y * y
     out = np.zeros(6)
     out[0] = most
     if total > 0.0:

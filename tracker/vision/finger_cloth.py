@@ -34,6 +34,12 @@ LEAST_SAMPLES = 200  # of each
 EACH = 16  # samples between two nodes of a window
 SOFT = 1.25  # samples, standard deviation of the outline of the parts that are known
 SURE_MOST = 0.97  # probability that a known part covers a sample, maximum
+FAR = 3 * SOFT  # samples from an outline within which it is uncertain
+OUTLINE_STEPS = 128  # per sample
+OUTLINE = np.minimum(
+    1.0 / (1.0 + np.exp(1.7 / SOFT * np.arange(-FAR, FAR + 1.0, 1.0 / OUTLINE_STEPS))), SURE_MOST
+)
+"""The probability at a distance of -FAR or more from an outline, outwards."""
 CLOTH_COVERED, CLOTH_UNCOVERED = 0.93, 0.38  # probability of the glove's colours
 CLOTH_IN_RIM, NONE_IN_RIM = -0.83, 0.67  # ln of the likelihood ratio along the rim of a finger
 LEVELS = 256  # of how much of a sample is explained
@@ -121,32 +127,40 @@ def _in_window(ends: Stack, radius: Vector, rig: StereoIntrinsics, window: Vecto
 def covered(ends: Stack, radius: Vector, rig: StereoIntrinsics, window: Vector) -> Matrix:
     """(n, n) probability that one of the capsules with ends (k, 2, 3) m in C and radii (k,) m
     covers a sample of a window (`FingerImages`)."""
-    return _covered(_in_window(ends, radius, rig, window))
+    return _covered(_in_window(ends, radius, rig, window), SAMPLES, SAMPLES)
+
+
+@kernel(wide=True)
+def covered_part(
+    ends: Stack, radius: Vector, rig: StereoIntrinsics, window: Vector, size: tuple[int, int]
+) -> Matrix:
+    """As `covered`, for a window of ``size`` (rows, columns)."""
+    return _covered(_in_window(ends, radius, rig, window), size[0], size[1])
 
 
 @kernel
-def _covered(capsules: Matrix) -> Matrix:
+def _covered(capsules: Matrix, rows: int, columns: int) -> Matrix:
     """As `covered`; a capsule has two ends u, v and a radius, in samples."""
-    side, far = SAMPLES, 3 * SOFT
-    away = np.full((side, side), far)
+    away, out = np.full((rows, columns), FAR), np.zeros((rows, columns))
+    left, right = np.full(rows, columns), np.zeros(rows, np.int64)  # of samples near a capsule
     for u0, v0, u1, v1, r in capsules:
-        m, du, dv = r + far, u1 - u0, v1 - v0
+        m, du, dv = r + FAR, u1 - u0, v1 - v0
         along_u, along_v = du / (du * du + dv * dv + 1e-9), dv / (du * du + dv * dv + 1e-9)
-        first, end = max(int(min(u0, u1) - m), 0), min(int(max(u0, u1) + m) + 2, side)
-        for y in range(max(int(min(v0, v1) - m), 0), min(int(max(v0, v1) + m) + 2, side)):
+        first, end = max(int(min(u0, u1) - m), 0), min(int(max(u0, u1) + m) + 2, columns)
+        for y in range(max(int(min(v0, v1) - m), 0), min(int(max(v0, v1) + m) + 2, rows)):
+            left[y], right[y] = min(left[y], first), max(right[y], end)
             for x in range(first, end):
                 t = (x - u0) * along_u + (y - v0) * along_v
                 t = 0.0 if t < 0.0 else (1.0 if t > 1.0 else t)
                 a, b = x - u0 - t * du, y - v0 - t * dv
                 d = np.sqrt(a * a + b * b) - r
                 away[y, x] = d if d < away[y, x] else away[y, x]
-    out = np.zeros((side, side))
-    for y in range(side):
-        for x in range(side):
-            if away[y, x] < -far:
+    for y in range(rows):
+        for x in range(left[y], right[y]):
+            if away[y, x] < -FAR:
                 out[y, x] = SURE_MOST
-            elif away[y, x] < far:
-                out[y, x] = min(1.0 / (1.0 + np.exp(1.7 * away[y, x] / SOFT)), SURE_MOST)
+            elif away[y, x] < FAR:
+                out[y, x] = OUTLINE[int((away[y, x] + FAR) * OUTLINE_STEPS + 0.5)]
     return out
 
 

@@ -21,6 +21,7 @@ from tracker.fusion.chain.finger_grid import (
     aged,
     fit,
     prior,
+    summary,
     variance_about,
 )
 from tracker.fusion.chain.finger_view import (
@@ -39,12 +40,13 @@ from tracker.fusion.output.measured_fingers import JOINTS, FingerRows, MeasuredF
 from tracker.hand.model import HandModel
 from tracker.hand.names import CHAINS, FINGERS
 from tracker.messages import Array, BlobFrame, CameraPose
-from tracker.vision.finger_cloth import ASIDE, BEND, FLEXION, Finger, finger_joints
+from tracker.vision.finger_cloth import ASIDE, BEND, FLEXION, Finger
 from tracker.vision.rig import StereoRig
 
 AHEAD = 0.02  # m from the knuckles along the palm, of the centre of a window
 APART = 0.09  # s between two evaluated images of a finger
 SPARSE = 0.05  # s between images from which all fingers are evaluated in the same image
+TOGETHER = 0.08  # s between images from which that image is also evaluated for fingertips
 INDEPENDENT_AFTER = 0.05  # s after which outlines are independent of each other
 LASTS = 0.3  # s after the last evaluated image for which fingers are shown as measured
 BODY_SD = 0.007  # m per axis, of what the grid does not contain: lengths, the hand's own pose
@@ -176,10 +178,24 @@ class ClothFingers:
 
     # ---- measurement
 
+    @property
+    def wait_since(self) -> float:
+        """s, of the finger that has waited longest for an image; infinite if none was fitted."""
+        return float(np.min(self.saved.fitted_at, initial=np.inf))
+
+    def is_alone(self, t: float) -> bool:
+        """Whether images are so dense at ``t`` that one is evaluated either for fingers or for
+        fingertips."""
+        return 0.0 <= t - self.saved.image_t < TOGETHER
+
+    def skip(self, t: float) -> None:
+        """Another part of the hand is evaluated in the image at ``t``."""
+        self.saved = replace(self.saved, image_t=t)
+
     def image(self, state: ChainState, frame: BlobFrame, pose: CameraPose) -> None:
         """Fits the fingers to the cloth around a hand that was just corrected."""
         due = self._due(state.t)
-        self.saved = replace(self.saved, image_t=state.t)
+        self.skip(state.t)
         cloths = [b.cloth if b is not None else None for b in (frame.left, frame.right)]
         if not due:
             return
@@ -274,14 +290,11 @@ class ClothFingers:
 
     def _put(self, now: ClothFingersSavedState, k: int, finger: Finger, found: FingerFit) -> None:
         """Summarizes the fit of the finger ``k``."""
-        mean = found.weights @ found.postures
-        joints, shown = finger_joints(found.postures, finger), finger_joints(mean[None], finger)
-        off = found.postures - mean
+        mean, variance, sd = summary(found.postures, found.weights, finger)
         now.posterior[k], now.posture[k] = found.posterior, mean
         now.evidence[k], now.follows[k] = found.evidence, found.follows
         now.best[k] = found.postures[int(np.argmax(found.weights))]
-        now.joint_variance[k] = found.weights @ ((joints - shown) ** 2).sum(axis=2) / 3
-        now.angle_sd[k] = np.sqrt(found.weights @ off[:, [FLEXION, ASIDE, BEND]] ** 2)
+        now.joint_variance[k], now.angle_sd[k] = variance, sd
 
     def _neighbour(self, k: int, hand: _Hand, postures: Array) -> Array:
         """(5,) the posture of the finger ``k`` that follows its neighbour as the hand file has it,

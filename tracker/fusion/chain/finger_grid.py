@@ -360,6 +360,24 @@ def fit(before: Array, neighbour: Array, images: FingerImages, share: float) -> 
 
 
 @kernel
+def summary(postures: Matrix, weights: Vector, finger: Finger) -> tuple[Vector, Vector, Vector]:
+    """Of postures (n, 5) with weights (n,): their mean (5,); the variance (4,) m² per axis of the
+    finger's joints and tip; the sd (3,) rad of flexion, abduction and bend."""
+    mean, spread = np.zeros((1, len(CELL))), np.zeros(3)
+    for i in range(len(postures)):
+        mean[0] += weights[i] * postures[i]
+    joints, at = finger_joints(postures, finger), finger_joints(mean, finger)[0]
+    variance = np.zeros(len(at))
+    for i in range(len(postures)):
+        for j in range(3):
+            spread[j] += weights[i] * (postures[i, FLEXION + j] - mean[0, FLEXION + j]) ** 2
+        for j in range(len(at)):
+            for x in range(3):
+                variance[j] += weights[i] * (joints[i, j, x] - at[j, x]) ** 2 / 3
+    return mean[0], variance, np.sqrt(spread)
+
+
+@kernel
 def variance_about(posterior: Vector, finger: Finger, posture: Vector) -> Vector:
     """(4,) m² per axis of a finger's joints and tip relative to those in a posture (5,), for a
     ``posterior`` (G,), with the knuckle in its nominal position."""

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from tracker.hand.model import HandModel
 from tracker.messages import Array, CameraPose, Cloth, IntArray
 from tracker.vision.cloth import cloth_map
-from tracker.vision.end_cloth import EndImages, end_evidence
+from tracker.vision.end_cloth import EndImages, ExpectedEnd, end_evidence, part_side, part_start
 from tracker.vision.finger_cloth import (
     SAMPLES,
     SPACING,
@@ -19,6 +19,7 @@ from tracker.vision.finger_cloth import (
     FingerImages,
     cloth_window,
     covered,
+    covered_part,
     finger_evidence,
     finger_joints,
     finger_likelihoods,
@@ -157,12 +158,16 @@ def rim_part(posture: Array, images: FingerImages) -> float:
 
 
 def end_images(
-    ends: Array, radius: Array, rig: StereoRig, views: Sequence[FingerView]
+    end: ExpectedEnd, drawn: tuple[Array, Array], rig: StereoRig, views: Sequence[FingerView]
 ) -> EndImages:
-    """The evidence of the last segment of a digit (eq. 59), where capsules with ``ends`` (k, 2, 3)
-    m in C and ``radius`` (k,) m are those of other digits."""
-    of, sums = rig.intrinsics, []
+    """The evidence of the last segment of a digit (eq. 59); ``drawn`` are the capsules of those of
+    other digits: ends (k, 2, 3) m in C, radii (k,) m."""
+    of, side = rig.intrinsics, part_side(end)
+    windows, sums = [], []
     for view in views:
-        others = covered(ends, radius, of, view.window)
-        sums.append(end_evidence(view.classes, view.known, others, float(view.window[3]) ** 2))
-    return EndImages(of, np.array([v.window for v in views]), np.array(sums))
+        first, part, pitch = part_start(end, of, view.window), view.window.copy(), view.window[3]
+        part[1:3] += pitch * np.array(first)
+        others = covered_part(*drawn, of, part, (side, side))
+        sums.append(end_evidence(view.classes, view.known, others, float(pitch) ** 2, first))
+        windows.append(part)
+    return EndImages(of, np.array(windows), np.array(sums))

@@ -154,10 +154,10 @@ class TipBends:
             seen = [v for v in views if there[int(v.is_right), k]]
             if seen:
                 others = np.arange(len(J)) != k
-                images = end_images(drawn[0][others], drawn[1][others], self._rig, seen)
                 axis, radius = p_C[k, 1] - p_C[k, 0], self._radius[k] * drive[k, 1]
                 P = self.saved.P[k] + PREDICTION_VARIANCE
                 end = ExpectedEnd(p_C[k, 0], axis, J[k].T @ pose.R_GC, radius, shift[k], P)
+                images = end_images(end, (drawn[0][others], drawn[1][others]), self._rig, seen)
                 self._correct(k, fit_end(end, images, share))
         return True
 

@@ -181,12 +181,18 @@ class ChainTracker:
         self.filter.correct(self._recognition.rows(self.state, image, found))
 
     def _look_for_tips(self, image: SeenImage) -> None:
-        """Measure the end joints, and fingers without sensors, in the outline of the glove."""
-        own = self.wearer.guided.synergies
-        if self._tips.image(self.state, image.frame, image.pose, own, image.exposure):
+        """Measure the end joints, and fingers without sensors, in the outline of the glove. Where
+        images are dense, each image measures what has waited longest, so that packets wait less."""
+        own, t, seen = self.wearer.guided.synergies, self.state.t, (image.frame, image.pose)
+        alone = self._fingers.is_alone(t)
+        turn = not alone or self._tips.saved.t <= self._fingers.wait_since
+        if turn and self._tips.image(self.state, *seen, own, image.exposure):
             self.wearer.show()
+            if alone:
+                self._fingers.skip(t)
+                return
         if self._params.cloth.fingers:
-            self._fingers.image(self.state, image.frame, image.pose)
+            self._fingers.image(self.state, *seen)
 
     def _search_again(self, image: SeenImage, found: Recognised) -> Recognised:
         """Move to a better pose where the images show one; otherwise change nothing."""
