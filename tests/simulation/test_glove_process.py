@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import os
 import subprocess
 import sys
 import time
@@ -13,6 +14,7 @@ import pytest
 
 from tests.notices import raises
 from tracker.base.errors import DeviceError
+from tracker.base.urgency import may_run_first
 from tracker.glove import library
 from tracker.messages import Event, ImuSample
 from tracker.sensors.glove_link import GloveLink, serial_port
@@ -66,6 +68,29 @@ def test_packets_have_the_wearers_motion_and_the_cable_is_unplugged_at_the_end(
     arrived = received(link, lambda got: any(isinstance(x, Event) for x in got))
     assert "glove.unplugged" in [x.code for x in arrived if isinstance(x, Event)]
     link.close()
+
+
+def test_only_the_sending_process_goes_before_all_others(worn: GloveProcess) -> None:
+    """It stands for the device; generating packets takes longer."""
+    worn.paths(START)
+    sends, generates = (os.sched_getscheduler(p.pid or 0) for p in worn._processes)
+    assert (sends == os.SCHED_RR) == may_run_first()
+    assert generates == os.SCHED_OTHER
+
+
+def test_without_the_process_that_generates_the_glove_is_silent_and_ends(
+    worn: GloveProcess,
+) -> None:
+    link = GloveLink(serial_port(worn.paths(START)["right"]), 7)
+    worn.begin(time.monotonic() + 0.1)
+    received(link, lambda got: any(isinstance(x, ImuSample) for x in got))
+    worn._processes[1].kill()
+    deadline = time.monotonic() + START
+    while link.poll(1.0):  # until a second passes without any
+        assert time.monotonic() < deadline
+    link.close()
+    worn.close()
+    assert not any(process.is_alive() for process in worn._processes)
 
 
 def test_a_process_that_cannot_start_is_reported() -> None:

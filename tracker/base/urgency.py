@@ -27,6 +27,8 @@ FIRST = -5
 computer would stop."""
 REAL_TIME = 1
 """The lowest real-time priority: sound and the system's own threads have higher ones."""
+DEVICE = 2
+"""Of a process that stands for a device, which interrupts whatever runs."""
 SPARED = 0.5  # of a core, which remains to others in any case
 CHECK_EVERY, REST = 1.0, 10.0  # s between checks, and until a process may be urgent again
 CALLS = {"x86_64": 314, "aarch64": 274}  # number of sched_setattr
@@ -76,9 +78,16 @@ def run_first() -> bool:
     return raised
 
 
+def run_as_device() -> bool:
+    """Requests that this process goes before all others, since it stands for a device that has a
+    processor of its own; returns whether the system allows it. As with `run_first`, before it
+    starts threads. Only for processes that need a few percent of a core."""
+    return _set_real_time(0, DEVICE)
+
+
 def run_as_others() -> None:
     """Ends a real-time priority that this process inherited: only the process that tracks needs
-    one, not the devices that it simulates, nor its recorder."""
+    one, not its recorder."""
     if is_real_time():
         os.sched_setscheduler(0, os.SCHED_OTHER, os.sched_param(0))
 
@@ -98,12 +107,12 @@ def may_run_first() -> bool:
     return os.geteuid() == 0 or soft == resource.RLIM_INFINITY or soft >= REAL_TIME
 
 
-def _set_real_time(thread: int) -> bool:
+def _set_real_time(thread: int, priority: int = REAL_TIME) -> bool:
     """0: the calling thread."""
     if not hasattr(os, "SCHED_RR"):
         return False
     try:
-        os.sched_setscheduler(thread, os.SCHED_RR, os.sched_param(REAL_TIME))
+        os.sched_setscheduler(thread, os.SCHED_RR, os.sched_param(priority))
     except OSError:
         return False
     return True
