@@ -1,5 +1,7 @@
 """Unsensed end joints, measured by outlines of fingertips that deviate from the synergy."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -162,6 +164,42 @@ def test_what_was_seen_fades(layout: ChainLayout, rig: StereoRig, flat: ChainSta
     worn.look(flat, nothing)
     assert np.allclose(worn.tips.saved.bend, np.exp(-1.0) * bend)
     assert worn.tips.saved.P[0, 0, 0] > P[0, 0, 0]
+
+
+def test_a_wearer_who_deviates_is_less_certain_where_the_tip_is_hidden(
+    layout: ChainLayout, rig: StereoRig, flat: ChainState
+) -> None:
+    """An end joint that was seen to deviate more than those of most people may do so again."""
+    sure, usual = {}, Worn(layout, rig).distal.posture_sd[0]
+    for bent in (0.0, 3.5 * usual):
+        worn = Worn(layout, rig)
+        for k in range(40):
+            flat.t = 1.1 * APART * k
+            worn.look(flat, seen(worn, rig, flat, 0, bent, flat.t))
+        nothing = BlobFrame(0.0, 0.0, (), Blobs.empty(), Blobs.empty())
+        for _ in range(8):
+            flat.t += LASTS
+            worn.look(flat, nothing)
+        sure[bent] = worn.shown.confidence.ends.own.posture[0]
+    still, far = sure.values()
+    assert usual < still < 1.3 * usual  # by what the filter does not know of the joint
+    assert far > 1.2 * still
+    assert far < 3.5 * usual
+
+
+def test_the_uncertainty_of_older_recordings_starts_with_that_of_people(
+    layout: ChainLayout, rig: StereoRig, flat: ChainState
+) -> None:
+    worn, other = Worn(layout, rig), Worn(layout, rig)
+    image = seen(worn, rig, flat, 0, BENT, 0.0)
+    for one in (worn, other):
+        one.look(flat, image)
+    other.tips.saved = replace(worn.tips.saved, measured=np.zeros(0), squares=np.zeros(0))
+    flat.t = 1.1 * APART
+    for one in (worn, other):
+        one.look(flat, image)
+    assert np.array_equal(other.tips.saved.P, worn.tips.saved.P)
+    assert 0.0 < other.tips.saved.measured[0] < worn.tips.saved.measured[0]
 
 
 def test_cloth_that_is_everywhere_changes_nothing(

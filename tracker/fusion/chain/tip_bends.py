@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from tracker.base.records import record
 from tracker.fusion.chain.distal import ASIDE, OFFSET, OWN, RATIO, DistalSegments, Synergies
-from tracker.fusion.chain.driven_ends import driven_points
+from tracker.fusion.chain.driven_ends import ONE_WAY, driven_points
 from tracker.fusion.chain.finger_view import FingerView, KnownParts, end_images, finger_views
 from tracker.fusion.chain.kinematics import segment_positions
 from tracker.fusion.chain.layout import ChainLayout, Points
@@ -35,20 +35,31 @@ LEAST_LIKELY = 3.0  # ln of the likelihood ratio of the segment to none
 PREDICTION_VARIANCE = np.deg2rad(1.0) ** 2 * np.eye(2)  # of the expected bend
 CLOTH = 0.001  # m, of the glove's cloth on the skin
 LEAST_VISIBLE = 0.5  # probability that a camera sees a tip, required to evaluate it
+PEOPLE = 4.0  # measured postures that what is known of people counts as
+JOINT_OFF = (
+    0.00275  # m per axis, sd of an end joint relative to where the filter has it, of what its
+)
+# covariance does not contain: lengths, places of markers and of joints
 BEND, SIDE = 0, 1
 
 
-@record("chain.tip_bends", shapes={"bend": "d 2", "drive": "d", "P": "d 2 2"})
+@record(
+    "chain.tip_bends",
+    shapes={"bend": "d 2", "drive": "d", "P": "d 2 2", "measured": "0 | d", "squares": "0 | d"},
+)
 @dataclass(eq=False)
 class TipBendsSavedState:
     """The part that changes: for d digits, flexion and lateral (d, 2) rad in addition to the
     prediction from the joints before, at their flexions drive (d,) rad; the covariance P (d, 2, 2)
-    rad²; and the time, s. Empty before the first measurement."""
+    rad²; the time, s. Empty before the first measurement. measured (d,) postures and the sum of
+    squares (d,) rad² of their flexions; empty in older recordings."""
 
     bend: Array = field(default_factory=lambda: np.zeros((0, 2)))
     drive: Array = field(default_factory=lambda: np.zeros(0))
     P: Array = field(default_factory=lambda: np.zeros((0, 2, 2)))
     t: float = -np.inf
+    measured: Array = field(default_factory=lambda: np.zeros(0))
+    squares: Array = field(default_factory=lambda: np.zeros(0))
 
 
 class TipBends:
@@ -89,10 +100,11 @@ class TipBends:
     def trusted(self, own: Synergies) -> tuple[Synergies, Array]:
         """The wearer's synergies corrected by the measured end joints, and (d,) rad of remaining
         sd."""
-        posture = self._distal.posture_sd
+        posture = self._posture_sd()
         if not len(self.saved.bend):
             return own, posture
-        value, P, posture = own.value.copy(), own.P.copy(), posture.copy()
+        off = np.sqrt(3.0 / ONE_WAY) * JOINT_OFF / (self._reach + self._radius)
+        value, P = own.value.copy(), own.P.copy()
         value[:, [OFFSET, ASIDE]] += self.saved.bend
         before = self._prior(own, self.saved.drive)
         for k, now in enumerate(self.saved.P):
@@ -102,16 +114,28 @@ class TipBends:
             rows = slice(OWN * k, OWN * k + OWN)
             P[rows], P[:, rows] = factor[:, None] * P[rows], P[:, rows] * factor
             posture[k] *= factor[OFFSET]
+            if np.sum(self.saved.measured[k : k + 1]) > 0.0:
+                posture[k] = np.hypot(posture[k], off[k])
         return Synergies(value, P), posture
+
+    def _posture_sd(self) -> Array:
+        """(d,) rad of the individual variation from posture to posture: that of people, widened
+        where this wearer's end joints were seen to deviate more (eq. 61)."""
+        usual, now = self._distal.posture_sd, self.saved
+        if not len(now.measured):
+            return usual.copy()
+        seen = (PEOPLE * usual**2 + now.squares) / (PEOPLE + now.measured)
+        out: Array = np.sqrt(np.maximum(usual**2, seen))
+        return out
 
     def _prior(self, own: Synergies, drive: Array) -> Array:
         """(d, 2, 2) rad² of flexion and lateral without measurements, for the flexions ``drive``
         (d,) rad of the joints before."""
-        P = np.zeros((len(drive), 2, 2))
+        P, posture = np.zeros((len(drive), 2, 2)), self._distal.posture_sd
         for k, q in enumerate(drive):
             of = own.P[OWN * k : OWN * k + OWN, OWN * k : OWN * k + OWN]
             flexion = q * q * of[RATIO, RATIO] + 2 * q * of[RATIO, OFFSET] + of[OFFSET, OFFSET]
-            P[k, BEND, BEND] = flexion + self._distal.posture_sd[k] ** 2
+            P[k, BEND, BEND] = flexion + posture[k] ** 2
             P[k, SIDE, SIDE] = of[ASIDE, ASIDE]
         return P
 
@@ -158,7 +182,7 @@ class TipBends:
                 P = self.saved.P[k] + PREDICTION_VARIANCE
                 end = ExpectedEnd(p_C[k, 0], axis, J[k].T @ pose.R_GC, radius, shift[k], P)
                 images = end_images(end, (drawn[0][others], drawn[1][others]), self._rig, seen)
-                self._correct(k, fit_end(end, images, share))
+                self._correct(k, fit_end(end, images, share), share)
         return True
 
     def _views(
@@ -211,19 +235,25 @@ class TipBends:
     def _age(self, t: float, own: Synergies, drive: Array) -> None:
         """Ageing: a measured end joint remains valid for a while, then its driving joint determines
         it again (eq. 61)."""
-        saved, prior = self.saved, self._prior(own, drive)
-        if not len(saved.bend):
-            self.saved = TipBendsSavedState(np.zeros((len(drive), 2)), drive, prior, t)
-            return
-        left = float(np.exp(-max(t - saved.t, 0.0) / LASTS))
-        P = left**2 * saved.P + (1.0 - left**2) * prior
-        self.saved = TipBendsSavedState(left * saved.bend, drive, P, t)
+        saved, prior, count = self.saved, self._prior(own, drive), len(drive)
+        known = len(saved.measured) == count  # not in older recordings
+        measured = saved.measured.copy() if known else np.zeros(count)
+        squares = saved.squares.copy() if known else np.zeros(count)
+        bend, P = np.zeros((count, 2)), prior
+        if len(saved.bend):
+            left = float(np.exp(-max(t - saved.t, 0.0) / LASTS))
+            bend, P = left * saved.bend, left**2 * saved.P + (1.0 - left**2) * prior
+        self.saved = TipBendsSavedState(bend, drive, P, t, measured, squares)
 
-    def _correct(self, k: int, found: Array) -> None:
-        """Corrects the digit ``k`` by the result of `fit_end` (eq. 60)."""
+    def _correct(self, k: int, found: Array, share: float) -> None:
+        """Corrects the digit ``k`` by the result of `fit_end` (eq. 60), of which the ``share`` is
+        new."""
         likely, flexion, lateral, a, b, c = found
         if likely < LEAST_LIKELY:
             return
-        before = self.saved.P[k]
+        before, usual = self.saved.P[k], self._distal.posture_sd[k] ** 2
         self.saved.bend[k] += (flexion, lateral)
         self.saved.P[k] = min(1.0, np.trace(before) / (a + c)) * np.array([[a, b], [b, c]])
+        new = share * max(1.0 - self.saved.P[k, 0, 0] / usual, 0.0)
+        self.saved.measured[k] += new
+        self.saved.squares[k] += new * self.saved.bend[k, BEND] ** 2
