@@ -130,8 +130,14 @@ def turns_during(call):
 
 
 def test_other_threads_run_meanwhile(compiled):
-    turns, _kept = turns_during(lambda: compiled.busy(20_000_000))  # a few tenths of a second
-    assert len(turns) > 10
+    """In a few tenths of a second; a computer with other work may not let it run the first time."""
+    most = 0
+    for _ in range(5):
+        turns, _kept = turns_during(lambda: compiled.busy(20_000_000))
+        most = max(most, len(turns))
+        if most > 10:
+            break
+    assert most > 10
 
 
 def test_other_threads_wait_while_the_gil_is_held(compiled):

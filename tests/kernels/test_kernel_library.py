@@ -172,14 +172,14 @@ def test_threads_may_call_a_kernel_for_the_first_time_concurrently(monkeypatch):
     fill, together = Library._fill, threading.Barrier(2)
 
     def slowly(self, kernel):
-        together.wait(5.0)  # the other one is about to ask
+        together.wait(60.0)  # the other one is about to ask
         time.sleep(0.05)
         fill(self, kernel)
 
     monkeypatch.setattr(Library, "_fill", slowly)
     with ThreadPoolExecutor(1) as pool:
         other = pool.submit(made, np.ones(2), 2)
-        together.wait(5.0)
+        together.wait(60.0)
         assert made(np.ones(2), 2) == other.result() == "compiled"
 
 

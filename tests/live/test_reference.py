@@ -17,7 +17,7 @@ from tracker.messages import BlobFrame, ImuSample
 __all__ = ["profile", "sim"]  # fixtures
 
 
-def wait_until(condition, limit: float = 30.0) -> bool:
+def wait_until(condition, limit: float = 60.0) -> bool:
     deadline = time.monotonic() + limit
     while time.monotonic() < deadline:
         if condition():

@@ -40,6 +40,7 @@ class Stream:
         self._lock = threading.Condition()
         self._messages = sim.feed(images=True)
         self._next = next(self._messages, None)
+        self.last_t = 0.0  # s, of the IMU samples taken
 
     def take(self, kind: type, timeout: float) -> ImuSample | StereoFrame | None:
         with self._lock:
@@ -47,6 +48,8 @@ class Stream:
             if not isinstance(self._next, kind):
                 return None
             out, self._next = self._next, next(self._messages, None)
+            if isinstance(out, ImuSample):
+                self.last_t = out.t
             self._lock.notify_all()
             return out
 
@@ -141,10 +144,18 @@ def live(
     return tracker, stream
 
 
+def reached(tracker: LiveTracker, t: float) -> bool:
+    """Whether there is an estimate of ``t`` s."""
+    estimate = tracker.hand("right").latest_estimate()
+    return estimate is not None and estimate.t >= t
+
+
 def run_to_the_end(tracker: LiveTracker, stream: Stream) -> None:
     tracker.start()
-    deadline = time.monotonic() + 60
+    deadline = time.monotonic() + 100
     while not stream.done and time.monotonic() < deadline:
+        time.sleep(0.01)
+    while not reached(tracker, stream.last_t) and time.monotonic() < deadline:
         time.sleep(0.01)
     last = -1
     while last != len(tracker.hand("right").recent_imu()):  # until the inbox is empty
@@ -240,7 +251,7 @@ def test_devices_are_not_blocked_by_a_slow_disk(sim: Simulation, profile: Colour
 def test_a_failing_device_is_reported(sim: Simulation, profile: ColourProfile) -> None:
     tracker, _ = live(sim, profile, None, camera=BrokenCamera)
     tracker.start()
-    reported, deadline = list(tracker.drain_events()), time.monotonic() + 30
+    reported, deadline = list(tracker.drain_events()), time.monotonic() + 60
     while "thread.failed" not in [e.code for e in reported]:
         assert time.monotonic() < deadline
         time.sleep(0.01)
@@ -257,7 +268,8 @@ def test_the_engine_can_be_changed_while_running(sim: Simulation, profile: Colou
     tracker.set_engine("madgwick")
     while not stream.done and time.monotonic() < deadline:
         time.sleep(0.01)
-    time.sleep(0.3)
+    while not reached(tracker, stream.last_t) and time.monotonic() < deadline:
+        time.sleep(0.01)
     estimate, events = tracker.hand("right").latest_estimate(), tracker.drain_events()
     tracker.stop()
     assert tracker.settings.engine == "madgwick"

@@ -83,7 +83,7 @@ def test_a_second_process_receives_angles_poses_and_frames(
         assert listener.returncode == 0, listener.stderr
     finally:
         talker.terminate()
-        talker.wait(30)
+        talker.wait(60)
     output = json.loads(listener.stdout)
     assert output["angles"]["index_pip_flexion"] == pytest.approx(0.7)
     assert len(output["angles"]) == len(hand.joint_names)

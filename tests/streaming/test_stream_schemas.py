@@ -148,7 +148,7 @@ def test_numbers_are_consecutive_except_for_dropped_estimates(
 
     streams = Streams([Slow()])
     streams.offer(make_estimate())
-    assert entered.wait(5)
+    assert entered.wait(60)
     for _ in range(BACKLOG + 10):
         streams.offer(make_estimate())
     wait_for(lambda: len(seen) == BACKLOG + 1)
@@ -163,7 +163,7 @@ def test_numbers_are_consecutive_except_for_dropped_estimates(
 def test_udp_uses_the_selected_schema(words: str, schema: int, make_estimate, dated: Names) -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
         client.bind((LOOPBACK, 0))
-        client.settimeout(2)
+        client.settimeout(60)
         port = client.getsockname()[1]
         settings = with_streams(StreamSettings({"udp_port": port}), words.format(port))
         (publisher,) = open_streams(settings, [dated])["udp"]

@@ -53,7 +53,7 @@ def test_every_client_receives_the_estimates(server, make_estimate, names, wait_
         for t in (1.0, 2.0):
             server.send(make_estimate(t, lost=("thumb_tip",)))
             for client in (a, b):
-                read = json.loads(client.recv(timeout=2))
+                read = json.loads(client.recv(timeout=60))
                 assert read["t"] == t
                 assert read["keypoints"]["thumb_tip"]["position"] is None
     wait_for(lambda: not server.clients or server.send(make_estimate()))
@@ -75,7 +75,7 @@ def test_a_client_that_does_not_read_delays_no_one(server, make_estimate, wait_f
             started = time.perf_counter()
             server.send(replace(estimate, t=float(k)))
             longest = max(longest, time.perf_counter() - started)
-            assert json.loads(healthy.recv(timeout=2))["t"] == k
+            assert json.loads(healthy.recv(timeout=60))["t"] == k
         assert longest < 0.5
         missed = server.missed()
         assert sorted(n > 0 for n in missed.values()) == [False, False, True], missed
@@ -106,7 +106,7 @@ def test_the_number_of_clients_is_limited(server, wait_for) -> None:
             stack.enter_context(connect(url(server)))
         wait_for(lambda: server.clients == MAX_CLIENTS)
         with connect(url(server)) as late, pytest.raises(ConnectionClosed) as refused:
-            late.recv(timeout=2)
+            late.recv(timeout=60)
         assert refused.value.rcvd is not None and refused.value.rcvd.code == 1013
 
 
@@ -133,7 +133,7 @@ def test_closing_disconnects_clients_and_frees_the_port(
         server.close()
         server.close()
         with pytest.raises(ConnectionClosed):
-            client.recv(timeout=2)
+            client.recv(timeout=60)
     with raises(StreamError, "stream.closed"):
         server.send(make_estimate())
     WebSocketPublisher(names, port=server.port).close()
@@ -144,13 +144,13 @@ def test_a_client_selects_its_schema_by_the_address(server, make_estimate, wait_
         wait_for(lambda: server.clients == 2)
         server.send(make_estimate())
         server.send(make_estimate())
-        assert json.loads(new.recv(timeout=2))["schema"] == 2
-        assert json.loads(old.recv(timeout=2))["schema"] == 1
+        assert json.loads(new.recv(timeout=60))["schema"] == 2
+        assert json.loads(old.recv(timeout=60))["schema"] == 1
 
 
 def test_a_client_that_requests_an_unknown_schema_is_rejected(server) -> None:
     with connect(url(server) + "?schema=9") as client, pytest.raises(ConnectionClosed) as closed:
-        client.recv(timeout=2)
+        client.recv(timeout=60)
     assert closed.value.rcvd is not None and "schema is one of" in closed.value.rcvd.reason
 
 
@@ -159,4 +159,4 @@ def test_a_server_of_the_first_schema(names: Names, make_estimate, wait_for) -> 
     with contextlib.closing(server), connect(url(server)) as client:
         wait_for(lambda: server.clients == 1)
         server.send(make_estimate())
-        assert json.loads(client.recv(timeout=2))["schema"] == 1
+        assert json.loads(client.recv(timeout=60))["schema"] == 1

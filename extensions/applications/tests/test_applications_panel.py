@@ -70,7 +70,7 @@ def staged(window, qtbot, tmp_path, monkeypatch):
     engine = ScriptedEngine()
     window.host.adopt(replace(scripted_setup(engine), listeners=on(stage)))
     window.show_panel("applications")
-    qtbot.waitUntil(window.panels["applications"].isVisible, timeout=10_000)
+    qtbot.waitUntil(window.panels["applications"].isVisible)
     window.ticker.stop()
     return window.panels["applications"], stage, engine, reported
 
@@ -140,7 +140,7 @@ def test_the_hand_is_drawn_after_the_colours_have_changed(staged, window, qtbot)
         show(panel, stage, engine)
         return panel.view.skin is not None and panel.view.caption == ""
 
-    qtbot.waitUntil(drawn, timeout=60_000)
+    qtbot.waitUntil(drawn)
     assert panel.view._bodies[0]._skin is panel.view.skin
 
 

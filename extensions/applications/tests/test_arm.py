@@ -154,7 +154,7 @@ def test_no_joint_is_faster_than_it_may_be() -> None:
 def test_a_robot_reads_what_is_sent_over_udp() -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as robot:
         robot.bind(("127.0.0.1", 0))
-        robot.settimeout(10.0)
+        robot.settimeout(60.0)
         to = f"127.0.0.1:{robot.getsockname()[1]}"
         joints = JointCommand("six-axis", AXES, tuple(REST.tolist()), 1.0, False, to)
         pose = PoseCommand("six-axis", (0.3, 0.0, 0.2), (0.0, 1.0, 0.0, 0.0), 0.5, True, to)

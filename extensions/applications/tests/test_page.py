@@ -136,7 +136,7 @@ class Browser:
     def close(self) -> None:
         self._stack.close()
         self._process.terminate()
-        self._process.wait(20)
+        self._process.wait(60)
 
 
 @pytest.mark.skipif(BROWSER is None, reason="needs Chromium")

@@ -133,7 +133,7 @@ def through(dialog, clock, engine, until: float = np.inf) -> None:
 
 def verdict(dialog, qtbot) -> dict[str, list[str]]:
     """The cells of each rule's row."""
-    qtbot.waitUntil(lambda: dialog.outcome.page_button.isEnabled(), timeout=60_000)
+    qtbot.waitUntil(lambda: dialog.outcome.page_button.isEnabled())
     table = dialog.outcome.table
     rows = [[table.item(i, j).text() for j in range(5)] for i in range(table.rowCount())]
     return {row[2]: row for row in rows}

@@ -81,7 +81,7 @@ def test_the_librarys_client_gets_frames_of_either_hand(side: str) -> None:
         transport_mode=TransportMode.UDP,
         host=LOOPBACK,
         port=port,
-        timeout_s=2.0,
+        timeout_s=60.0,
         output=StreamOutput.FRAMES,
     )
     client = HTSClient(config)
@@ -109,7 +109,7 @@ def test_the_librarys_client_gets_frames_of_either_hand(side: str) -> None:
 
 
 def test_it_connects_to_a_server(names: Names, make_estimate) -> None:
-    config = TCPServerConfig(host=LOOPBACK, port=0, accept_timeout_s=2, read_timeout_s=2)
+    config = TCPServerConfig(host=LOOPBACK, port=0, accept_timeout_s=60, read_timeout_s=60)
     with TCPServerLineReceiver(config) as server:
         out = opened(names, server.local_address[1], transport="tcp")
         with contextlib.closing(out):
@@ -131,7 +131,7 @@ def test_without_a_server_it_fails_and_tries_again(names: Names, make_estimate) 
 def test_programs_connect_to_its_server(names: Names, make_estimate) -> None:
     port = free_port()
     out = opened(names, port, transport="server")
-    config = TCPClientConfig(host=LOOPBACK, port=port, read_timeout_s=2)
+    config = TCPClientConfig(host=LOOPBACK, port=port, read_timeout_s=60)
     with contextlib.closing(out), TCPClientLineReceiver(config) as client:
         out.send(make_estimate())
         assert parse_line(client.recv_line()).kind.value == "wrist"

@@ -27,7 +27,7 @@ def test_a_program_gets_world_landmarks_and_an_image(recorded: RecordedHand) -> 
     """Of each instant of a recording; points of the image by its scale at the wrist's depth."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
         client.bind((LOOPBACK, 0))
-        client.settimeout(2)
+        client.settimeout(60)
         table = {"mediapipe": True, "mediapipe_port": client.getsockname()[1]}
         (out,) = open_streams(StreamSettings(table), [recorded.names])["mediapipe"]
         with contextlib.closing(out):

@@ -48,25 +48,29 @@ def test_a_marker_is_a_note_at_its_own_instant(outlet: pylsl.StreamOutlet, wait_
         if not outlet.wait_for_consumers(10):
             pytest.skip("LSL finds nothing here: this machine passes no multicast")
         ago = 0.25  # s: it was pushed late, as programs do
+        before = monotonic() - ago
         stamp = pylsl.local_clock() - ago
-        t = monotonic() - ago
+        after = monotonic() - ago
         outlet.push_sample(["go\n", "7"], stamp)
-        deadline = monotonic() + 30
+        deadline = monotonic() + 60
         while not taken.requests and monotonic() < deadline:
             threading.Event().wait(0.01)
         (request,) = taken.requests
         assert request.do == "note" and request.text == "go 7"
-        assert request.t == pytest.approx(t, abs=0.005)
+        assert before - 0.005 < request.t < after + 0.005
         source = request.data["lsl"]
         assert isinstance(source, dict)
         assert (source["stream"], source["source"]) == ("Stimuli", "lab-7")
         assert source["stamp"] == stamp and abs(source["clock_offset_s"]) < 0.005
         counts = door.counts()
         assert (counts.asked, counts.refused, counts.clients) == (1, 0, 1)
-        for k in range(300):
-            outlet.push_sample(["flood", str(k)])
-        wait_for(lambda: door.counts().asked + door.counts().refused == 301)
-        assert door.counts().refused > 50, "what floods is bounded"
+        pushed = 1
+        while door.counts().refused <= 50:  # what floods is bounded
+            assert pushed < 10_000, "also on a computer that sends only a few at a time"
+            for k in range(300):
+                outlet.push_sample(["flood", str(k)])
+            pushed += 300
+            wait_for(lambda n=pushed: door.counts().asked + door.counts().refused == n)
     finally:
         door.close()
     assert not [t for t in threading.enumerate() if t.name == "glovetrack-remote-lsl"]
@@ -81,12 +85,12 @@ def test_a_stream_that_ends_is_forgotten() -> None:
         if not short.wait_for_consumers(10):
             pytest.skip("LSL finds nothing here: this machine passes no multicast")
         short.push_sample([5])
-        deadline = monotonic() + 30
+        deadline = monotonic() + 60
         while not taken.requests and monotonic() < deadline:
             threading.Event().wait(0.01)
         assert [r.text for r in taken.requests] == ["5"]
         del short
-        deadline = monotonic() + 30  # LSL continues to announce it for a while
+        deadline = monotonic() + 60  # LSL continues to announce it for a while
         while door.counts().clients and monotonic() < deadline:
             threading.Event().wait(0.05)
         assert door.counts().clients == 0

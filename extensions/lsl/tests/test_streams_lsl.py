@@ -63,14 +63,14 @@ def test_an_inlet_reads_a_recording_with_its_stamps(recorded: RecordedHand, wait
             pytest.skip("LSL finds nothing here: this machine passes no multicast")
         assert out.probe().code == "stream.test_no_client"
         inlet = pylsl.StreamInlet(found[0])
-        inlet.open_stream(timeout=5)
+        inlet.open_stream(timeout=60)
         wait_for(lambda: out.probe().code == "stream.test_read")
         info = inlet.info(5)  # owns what its description returns
         labels, clock = info.get_channel_labels(), info.desc().child("clock")
         for e in recorded.estimates:
             t = time.monotonic()
             out.send(replace(e, t=t))
-            values, stamp = inlet.pull_sample(timeout=5)
+            values, stamp = inlet.pull_sample(timeout=60)
             before, clock_s, after = time.monotonic(), pylsl.local_clock(), time.monotonic()
             assert t - after - 0.01 < stamp - clock_s < t - before + 0.01
             check(dict(zip(labels, values, strict=True)), recorded, e)

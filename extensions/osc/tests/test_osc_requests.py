@@ -77,7 +77,7 @@ def test_requests_of_another_library_are_answered_and_the_port_is_freed() -> Non
 
     kind = DOORS.get("osc")
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
-        client.settimeout(5)
+        client.settimeout(60)
         client.bind((HERE, 0))
         port = client.getsockname()[1]
         taken = kind.options(port=port)

@@ -138,7 +138,7 @@ def all_received(hand: HandModel, estimates: Sequence[Estimate]) -> list[list[li
     found = []
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
         client.bind(("127.0.0.1", 0))
-        client.settimeout(2)
+        client.settimeout(60)
         out = VmcPublisher(hand, "127.0.0.1", client.getsockname()[1])
         for estimate in estimates:
             out.send(estimate)
@@ -195,7 +195,7 @@ def test_osc_has_a_bundle_of_joints_that_python_osc_reads(
     wanted = to_openxr(e, openxr.keypoints, joint_radii(hand))
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
         client.bind(("127.0.0.1", 0))
-        client.settimeout(5)
+        client.settimeout(60)
         publisher = VmcPublisher(hand, "127.0.0.1", client.getsockname()[1], openxr)
         publisher.send(e)
         client.recv(65536)  # VMC's own
@@ -220,7 +220,7 @@ def _again(publisher: VmcPublisher, e, client: socket.socket) -> bytes:
 def test_a_gesture_has_its_value_and_whether_it_is_shown(names: Names, hand, make_estimate) -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
         client.bind(("127.0.0.1", 0))
-        client.settimeout(2)
+        client.settimeout(60)
         out = VmcPublisher(hand, "127.0.0.1", client.getsockname()[1], names)
         out.send(make_estimate())
         out.close()
@@ -237,7 +237,7 @@ def test_velocities_follow_in_unitys_world(names: Names, hand, make_estimate) ->
     dated = replace(names, anchor=ClockAnchor(1_732_538_096_123_456_789, 0))
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
         client.bind(("127.0.0.1", 0))
-        client.settimeout(2)
+        client.settimeout(60)
         out = VmcPublisher(hand, "127.0.0.1", client.getsockname()[1], dated, velocity=True)
         out.send(e)
         poses = bones([[m.address, *m.params] for m in OscBundle(client.recv(65536))], POSE)

@@ -48,7 +48,7 @@ def test_points_of_an_incomplete_reference_are_drawn(
     out = tmp_path / "out.mcap"
     import_reference(lab, short, out, ReferenceImportOptions(register="rigid"))
     window.sources.open_session(out, 10.0)
-    qtbot.waitUntil(lambda: _crosses(window) == 3, timeout=60_000)
+    qtbot.waitUntil(lambda: _crosses(window) == 3)
     scene = window.hand._hands[0].scene
     assert scene is not None and scene.reference is None
     known = np.flatnonzero(np.isfinite(scene.reference_points).all(axis=1))
@@ -57,7 +57,7 @@ def test_points_of_an_incomplete_reference_are_drawn(
     away = np.linalg.norm(scene.reference_points - x[0], axis=1)[known]
     assert away.max() < 0.02  # as above
     window.hand.controls.reference.setCurrentIndex(0)
-    qtbot.waitUntil(lambda: _crosses(window) == 0, timeout=60_000)
+    qtbot.waitUntil(lambda: _crosses(window) == 0)
 
 
 def _crosses(window: MainWindow) -> int:

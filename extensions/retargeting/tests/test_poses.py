@@ -43,7 +43,7 @@ def received(e: Estimate, names: Names, options: dict[str, Any]) -> dict[str, An
     """What a plain socket gets of the stream with these options."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
         client.bind((LOOPBACK, 0))
-        client.settimeout(2)
+        client.settimeout(60)
         table = {"poses": True, "poses_port": client.getsockname()[1]}
         table |= {f"poses_{name}": value for name, value in options.items()}
         (out,) = open_streams(StreamSettings(table), [names])["poses"]

@@ -22,7 +22,7 @@ def table(window, qtbot, tmp_path: Path):
     panel = window.panels["robot"]
     panel.link.change(model=str(written(tmp_path, "numbered.urdf")))
     panel.controls.fingers.click()
-    qtbot.waitUntil(lambda: links(panel.fingers)["thumb"] != "", timeout=60_000)
+    qtbot.waitUntil(lambda: links(panel.fingers)["thumb"] != "")
     return panel.fingers
 
 
@@ -47,7 +47,7 @@ def test_the_table_shows_what_was_found_in_the_file(table) -> None:
 
 def test_a_correction_is_stored_for_this_hand_and_taken_back(table, window, qtbot) -> None:
     choose(table, "index", "link_11.0_tip")
-    qtbot.waitUntil(lambda: links(table)["ring"] == "link_7.0_tip", timeout=60_000)
+    qtbot.waitUntil(lambda: links(table)["ring"] == "link_7.0_tip")
     link = window.panels["robot"].link
     model = link.settings.model
     assert link.settings.fingers == "index=link_11.0_tip"
@@ -58,15 +58,15 @@ def test_a_correction_is_stored_for_this_hand_and_taken_back(table, window, qtbo
     assert link.settings.fingers == "index=link_11.0_tip"
     assert window.store.value.robot_fingers[model] == "index=link_11.0_tip"
     table.automatic.click()
-    qtbot.waitUntil(lambda: links(table)["index"] == "link_3.0_tip", timeout=60_000)
+    qtbot.waitUntil(lambda: links(table)["index"] == "link_3.0_tip")
 
 
 def test_an_unrecognised_hand_can_be_corrected(table, qtbot) -> None:
     choose(table, "thumb", "")
-    qtbot.waitUntil(lambda: table.message.isVisible(), timeout=60_000)
+    qtbot.waitUntil(lambda: table.message.isVisible())
     assert "fingertips" in table.message.text()
     choose(table, "thumb", "link_15.0_tip")
-    qtbot.waitUntil(lambda: links(table)["index"] == "link_3.0_tip", timeout=60_000)
+    qtbot.waitUntil(lambda: links(table)["index"] == "link_3.0_tip")
     assert not table.message.isVisible()
 
 
@@ -78,7 +78,7 @@ def test_links_are_saved_and_loaded(table, tmp_path: Path, monkeypatch, qtbot) -
     assert read_map(path).links["ring"] == "link_11.0_tip"
     path.write_text('[fingers]\nring = ""\n')
     table.load.click()
-    qtbot.waitUntil(lambda: links(table)["little"] == "link_11.0_tip", timeout=60_000)
+    qtbot.waitUntil(lambda: links(table)["little"] == "link_11.0_tip")
     path.write_text('[fingers]\ntoe = "x"\n')
     errors: list[str] = []
     table.refused.connect(errors.append)

@@ -58,9 +58,9 @@ def test_a_robot_follows_the_hand_is_recorded_and_holds_when_released(window, qt
     window.show_panel("robot")
     link, controls = window.panels["robot"].link, window.panels["robot"].controls
     controls.connect_robot.click()
-    qtbot.waitUntil(lambda: link.view is not None, timeout=60_000)
+    qtbot.waitUntil(lambda: link.view is not None)
     feed = _Feed(followed, setup.engine.latest_estimate())
-    qtbot.waitUntil(lambda: feed() and _state(link) is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: feed() and _state(link) is not None)
     assert not link.view.state.holding
     model = next(m for m in followed.recorded if isinstance(m, RobotModel))
     assert model.name == "shadow_right"
@@ -68,7 +68,7 @@ def test_a_robot_follows_the_hand_is_recorded_and_holds_when_released(window, qt
     window.panels["robot"].refresh(window.host.snapshot())
     assert window.panels["robot"]._drawn is not None
     controls.clutch.click()
-    qtbot.waitUntil(lambda: feed() and _state(link).holding, timeout=20_000)
+    qtbot.waitUntil(lambda: feed() and _state(link).holding)
     assert link.figures.text == "Clutch released: the robot holds its pose"
     window.panels["robot"].refresh(window.host.snapshot())
     assert not controls.clutch.isChecked()
@@ -137,7 +137,7 @@ def test_a_file_without_a_hand_is_reported_and_the_robot_is_off(window, qtbot, t
     window.panels["robot"].link.change(model=str(wrong))
     window.host.adopt(with_live(scripted_setup(ScriptedEngine()), hand=Followed()))
     window.panels["robot"].controls.connect_robot.click()
-    qtbot.waitUntil(lambda: bool(errors), timeout=60_000)
+    qtbot.waitUntil(lambda: bool(errors))
     assert shows(errors[0], "robot.no_fingers")
     assert not window.panels["robot"].link.on
     assert not window.panels["robot"].controls.connect_robot.isChecked()

@@ -244,7 +244,7 @@ def test_a_stand_in_for_motive_is_asked_and_read(
     """Unicast: it answers with its version, 3.1, then sends frames to who has asked."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as motive:
         motive.bind((LOOPBACK, 0))
-        motive.settimeout(10)
+        motive.settimeout(60)
         port = motive.getsockname()[1]
         monkeypatch.setattr("extensions.room.natnet.COMMAND_PORT", port)
         with opened(hands, "natnet", server=LOOPBACK, group="", right="7") as door:
@@ -289,13 +289,15 @@ def test_poses_by_lsl_have_their_own_instants(hands: Hands) -> None:
     with opened(hands, "lslpose", type="MoCapTest", right="Wrist") as door:
         if not outlet.wait_for_consumers(20):
             pytest.skip("LSL finds nothing here: this machine passes no multicast")
-        deadline = monotonic() + 30
+        deadline, pushed = monotonic() + 60, []
         while len(hands.poses) < 20 and monotonic() < deadline:
-            t = monotonic() - ago
+            before = monotonic() - ago
             outlet.push_sample([*P, *Q], pylsl.local_clock() - ago)
+            pushed.append((before, monotonic() - ago))
             threading.Event().wait(0.01)
         outlet.push_sample([float("nan")] * 7)
         assert door.counts().clients == 1
-    pose = hands.poses[-1]
+    pose, ended = hands.poses[-1], monotonic()
     assert_pose(pose)
-    assert pose.t_arrival <= t + ago + 0.02 and pose.t == pytest.approx(t, abs=0.03)
+    assert any(before - 0.005 < pose.t < after + 0.005 for before, after in pushed)
+    assert pose.t <= pose.t_arrival < ended

@@ -167,7 +167,7 @@ def test_vrpn_s_own_server_is_read(hands: Hands, tmp_path: Path, wait_for) -> No
     )
     try:
         with opened(hands, "vrpn", port=port, right="Spin:1", left="Rest") as door:
-            deadline = monotonic() + 30
+            deadline = monotonic() + 60
             while len(hands.poses) < 300 and monotonic() < deadline:
                 threading.Event().wait(0.05)
             received = door.taker.received()  # type: ignore[attr-defined]

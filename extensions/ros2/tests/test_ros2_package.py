@@ -80,7 +80,7 @@ def test_rosbags_reads_a_recording(recorded: RecordedHand) -> None:
     """Each message from the stream's datagram, serialized by rosbags and read back."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
         client.bind(("127.0.0.1", 0))
-        client.settimeout(2)
+        client.settimeout(60)
         out = UdpPublisher(recorded.names, port=client.getsockname()[1], schema=LATEST)
         with contextlib.closing(out):
             for e in recorded.estimates:
@@ -203,7 +203,7 @@ def test_a_second_process_receives_a_recorded_hand_on_dds(
             read[made.topic] = reader.take_one(timeout=duration(seconds=60))
     finally:
         talker.terminate()
-        talker.wait(30)
+        talker.wait(60)
     check(read, recorded, e)
     wrist = read["hand/right/wrist"]
     assert wrist.pose.covariance[0] == estimate["keypoints"]["wrist"]["sd"] ** 2
@@ -212,7 +212,7 @@ def test_a_second_process_receives_a_recorded_hand_on_dds(
 def test_requests_are_sent_and_answered() -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as door:
         door.bind(("127.0.0.1", 0))
-        door.settimeout(20)
+        door.settimeout(60)
 
         def answer() -> None:
             data, client = door.recvfrom(1000)

@@ -16,7 +16,7 @@ from extensions.touch.window.view_model import TouchPhase
 from tests.gui.gui_fakes import MemoryRecorder, ScriptedEngine, scripted_setup
 from tracker.messages import Event
 
-PATIENCE_MS = 30_000
+PATIENCE_MS = 60_000
 
 
 @pytest.fixture

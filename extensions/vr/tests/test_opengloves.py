@@ -115,7 +115,7 @@ def parsed(line: str) -> dict[str, int | None]:
 def test_a_serial_port_gives_monados_line(recorded: RecordedHand, tmp_path: Path) -> None:
     """A line's numbers have 10 bits: the angles of a recording to half a step of 1/1023."""
     out = opened(recorded.names, "monado", link=str(tmp_path / "glove-{side}"))
-    with contextlib.closing(out), serial.Serial(str(tmp_path / "glove-right"), timeout=2) as port:
+    with contextlib.closing(out), serial.Serial(str(tmp_path / "glove-right"), timeout=60) as port:
         for e in recorded.estimates:
             out.send(e)
             line = port.readline().decode()

@@ -47,7 +47,7 @@ KEYPOINT = {
 def client() -> Iterator[socket.socket]:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as out:
         out.bind((LOOPBACK, 0))
-        out.settimeout(2)
+        out.settimeout(60)
         yield out
 
 
