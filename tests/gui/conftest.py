@@ -14,7 +14,7 @@ import pytest
 from app.storage.settings import SettingsStore
 from app.window.main_window import MainWindow
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
-from tests.gui.patience import patient
+from tests.gui.patience import USUAL_MS, patient
 
 
 @pytest.fixture
@@ -31,7 +31,7 @@ def qtbot(qtbot, request, qapp, monkeypatch):
 def no_leaks():
     """A test fails if it leaves threads of ours behind."""
     yield
-    deadline = time.monotonic() + 2
+    deadline = time.monotonic() + USUAL_MS / 1000
     while time.monotonic() < deadline and _ours():
         time.sleep(0.02)
     assert _ours() == []
@@ -68,5 +68,5 @@ def engine() -> ScriptedEngine:
 def live(window, engine, qtbot):
     """The window on a scripted engine, with the first second shown."""
     window.host.adopt(scripted_setup(engine))
-    qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: window.hand._scene is not None)
     return window

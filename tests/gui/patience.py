@@ -9,9 +9,13 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-AT_MOST = 20  # times the time-out given by a test
+from app.window.docks import DockShares
+
+USUAL_MS = 60_000  # longer than any stall of a computer
+AT_MOST = 20  # times the time-out given by a test, while a job makes progress
 LEAST = 60.0  # s, where that is less
 STALLED = 10.0  # s without processor time, after which a job is stalled
+TURNS = 5  # of the event loop without a change, after which a layout is complete
 _USED = slice(11, 13)  # of /proc/PID/stat behind the name: user and system time in ticks
 
 
@@ -29,10 +33,10 @@ def processor_ticks() -> int:
 
 def patient(qtbot: Any) -> Any:
     """``qtbot`` whose ``waitUntil`` continues after its time-out while a job makes progress; its
-    time-out is longer than any stall of a computer unless stated."""
-    wait = qtbot.waitUntil
+    time-outs are longer than any stall of a computer unless stated."""
+    wait, wait_signal = qtbot.waitUntil, qtbot.waitSignal
 
-    def wait_until(is_done: Callable[[], Any], *, timeout: int = 30_000) -> None:
+    def wait_until(is_done: Callable[[], Any], *, timeout: int = USUAL_MS) -> None:
         end = time.monotonic() + max(AT_MOST * timeout / 1000, LEAST)
         used, used_at = processor_ticks(), time.monotonic()
         while True:
@@ -49,4 +53,18 @@ def patient(qtbot: Any) -> Any:
                 return
 
     qtbot.waitUntil = wait_until
+    qtbot.waitSignal = lambda signal, *, timeout=USUAL_MS: wait_signal(signal, timeout=timeout)
     return qtbot
+
+
+def settled(window: Any, qtbot: Any) -> None:
+    """Wait until nothing in the main window has moved for some turns of the event loop: layouts are
+    made in several of them, each of which takes as long as the computer needs."""
+    shares = window.findChild(DockShares)
+    seen: list[object] = []
+
+    def is_still() -> bool:
+        seen.append((window.size(), *(dock.geometry() for dock in window.docks.values())))
+        return not shares._rest.isActive() and seen[-TURNS:] == seen[-1:] * TURNS
+
+    qtbot.waitUntil(is_still)

@@ -133,7 +133,7 @@ def test_a_glove_at_a_manually_chosen_port_is_bound_with_its_port(
     dialog.show()
     dialog.choice.add_port(simulated_glove.path)
     dialog.choice.side.setCurrentIndex(dialog.choice.side.findData("left"))
-    qtbot.waitUntil(lambda: dialog._feed.glove_id == 22, timeout=30_000)
+    qtbot.waitUntil(lambda: dialog._feed.glove_id == 22)
     dialog._use()
     known = bound(store.value, 22)
     assert known is not None

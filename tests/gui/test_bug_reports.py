@@ -138,17 +138,17 @@ def test_a_failing_panel_is_disabled_and_the_others_continue(live, qtbot, monkey
         raise RuntimeError("no such curve")
 
     monkeypatch.setattr(live.hand, "refresh", broken)
-    qtbot.waitUntil(lambda: "no such curve" in live.banner.text(), timeout=10_000)
+    qtbot.waitUntil(lambda: "no such curve" in live.banner.text())
     cameras = []
     monkeypatch.setattr(live.cameras, "refresh", cameras.append)
-    qtbot.wait(300)
-    assert len(calls) <= 2 and len(cameras) > 2
+    qtbot.waitUntil(lambda: len(cameras) > 5)
+    assert len(calls) <= 2
 
 
 def test_a_dead_worker_is_reported_and_the_window_continues(live, engine, qtbot):
     failed = failure("thread.failed", thread="vision", type="ValueError", why="empty")
     engine.events.append(Event.of(1.0, "error", failed))
-    qtbot.waitUntil(lambda: "vision thread failed" in live.banner.text(), timeout=10_000)
+    qtbot.waitUntil(lambda: "vision thread failed" in live.banner.text())
     assert live.host.running
 
 
@@ -237,7 +237,7 @@ def test_a_report_is_saved_by_clicks_and_confirmed(live, qtbot, tmp_path):
     path = tmp_path / "bug.zip"
     dialog.path.setText(str(path))
     press(qtbot, dialog)
-    qtbot.waitUntil(lambda: "bug.zip" in live.banner.text(), timeout=20_000)
+    qtbot.waitUntil(lambda: "bug.zip" in live.banner.text())
     with zipfile.ZipFile(path) as bundle:
         names = bundle.namelist()
         status = json.loads(bundle.read("status.json"))
@@ -250,7 +250,7 @@ def test_a_report_is_saved_by_clicks_and_confirmed(live, qtbot, tmp_path):
 
 def test_a_report_that_cannot_be_written_is_reported(live, qtbot, tmp_path):
     live.reports.save(tmp_path / "nowhere" / "bug.zip", Choice())
-    qtbot.waitUntil(lambda: "nowhere" in live.banner.text(), timeout=20_000)
+    qtbot.waitUntil(lambda: "nowhere" in live.banner.text())
     assert not (tmp_path / "nowhere").exists()
 
 

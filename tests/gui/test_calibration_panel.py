@@ -75,7 +75,7 @@ def panel(window, engine, qtbot):
     teach(engine.inner, 1.04)
     window.host.adopt(setup_of(engine))
     window.run_command("show_calibration")
-    qtbot.waitUntil(lambda: window.calibration.profiles.current.latest is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: window.calibration.profiles.current.latest is not None)
     return window.calibration
 
 
@@ -140,7 +140,7 @@ def test_a_profile_on_the_command_line_is_used_from_the_start(
 ):
     file = tmp_path / "anna.toml"
     panel.profiles.export(file)
-    qtbot.waitUntil(file.exists, timeout=30_000)
+    qtbot.waitUntil(file.exists)
     args = build_parser(["window"]).parse_args(["window", "--demo", "--wearer", str(file)])
     window.close()
     again, fresh = MainWindow(store), Commanded()
@@ -154,7 +154,7 @@ def test_a_profile_on_the_command_line_is_used_from_the_start(
 def test_a_wearer_is_restored_after_a_restart(panel, store, qtbot, monkeypatch):
     monkeypatch.setattr("app.panels.calibration.wearer_row.answer", lambda *_: "Anna B.")
     action(panel.wearer.save_button.menu(), "Save as…").trigger()
-    qtbot.waitUntil(lambda: panel.wearer.name == "Anna B", timeout=30_000)
+    qtbot.waitUntil(lambda: panel.wearer.name == "Anna B")
     panel.window().close()
     again, fresh = MainWindow(store), Commanded()
     qtbot.addWidget(again)
@@ -170,7 +170,7 @@ def test_a_wearer_is_restored_after_a_restart(panel, store, qtbot, monkeypatch):
 
 def test_a_wearer_is_applied_again_when_the_engine_changes(panel, engine, store, qtbot):
     panel.profiles.save("Anna")
-    qtbot.waitUntil(lambda: panel.wearer.name == "Anna", timeout=30_000)
+    qtbot.waitUntil(lambda: panel.wearer.name == "Anna")
     engine.inner = chain()  # as by a change of the engine
     panel.window().sources.set_engine("chain")
     assert engine.inner.calibration().scale == pytest.approx(np.full((7, 3), 1.04))
@@ -181,7 +181,7 @@ def test_a_profile_is_transferred_to_another_computer_as_text(panel, tmp_path, q
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_, **__: (str(file), ""))
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_, **__: (str(file), ""))
     panel.wearer.export_button.click()
-    qtbot.waitUntil(file.exists, timeout=30_000)
+    qtbot.waitUntil(file.exists)
     assert 'hand = "reference-right"' in file.read_text("utf-8")
     panel.profiles.reset(None)
     assert shown(panel, 0, 1).startswith("1.000 ± ")
@@ -199,7 +199,7 @@ def test_an_invalid_import_is_rejected(panel, tmp_path, monkeypatch):
 
 def test_a_wearer_of_another_glove_is_rejected(panel, store, qtbot):
     panel.profiles.save("Anna")
-    qtbot.waitUntil(lambda: panel.wearer.name == "Anna", timeout=30_000)
+    qtbot.waitUntil(lambda: panel.wearer.name == "Anna")
     path = WearerStore(store.path.parent / "wearers").path("Anna")
     path.write_bytes(b"damaged")
     panel.profiles.wear("Anna")
@@ -213,14 +213,13 @@ def test_an_engine_without_profiles_reports_it(panel, engine, qtbot):
     panel.profiles.reset(None)
     window = panel.window()
     qtbot.waitUntil(
-        lambda: window.log.model.entries("error", template_of("engine.no_wearer")) != [],
-        timeout=30_000,
+        lambda: window.log.model.entries("error", template_of("engine.no_wearer")) != []
     )
 
 
 def test_removing_a_wearer_removes_the_file(panel, store, qtbot):
     panel.profiles.save("Anna")
-    qtbot.waitUntil(lambda: panel.wearer.name == "Anna", timeout=30_000)
+    qtbot.waitUntil(lambda: panel.wearer.name == "Anna")
     action(panel.wearer.save_button.menu(), "Remove this profile").trigger()
     assert WearerStore(store.path.parent / "wearers").names() == []
     assert store.value.wearers.get("right", "") == ""
@@ -228,7 +227,7 @@ def test_removing_a_wearer_removes_the_file(panel, store, qtbot):
 
 def test_a_removed_wearer_is_restored_by_undo(panel, store, qtbot):
     panel.profiles.save("Anna")
-    qtbot.waitUntil(lambda: panel.wearer.name == "Anna", timeout=30_000)
+    qtbot.waitUntil(lambda: panel.wearer.name == "Anna")
     path = WearerStore(store.path.parent / "wearers").path("Anna")
     data, banner = path.read_bytes(), panel.window().banner
     remove = action(panel.wearer.save_button.menu(), "Remove this profile")
@@ -288,4 +287,4 @@ def test_no_heading_of_the_table_is_cut_in_a_narrow_panel(qtbot):
         wanted = max(header.sectionSizeHint(column), table.sizeHintForColumn(column))
         assert header.sectionSize(column) >= wanted
     assert header.length() > table.viewport().width()
-    qtbot.waitUntil(lambda: table.horizontalScrollBar().maximum() > 0, timeout=10_000)
+    qtbot.waitUntil(lambda: table.horizontalScrollBar().maximum() > 0)

@@ -25,7 +25,7 @@ def test_it_is_listed_and_chosen(window, qtbot, tmp_path: Path, monkeypatch) -> 
     dialog = CameraSetup(window.host, window.store, window.tasks)
     qtbot.addWidget(dialog)
     title = f"Folder {tmp_path.name} (folder://{tmp_path})"
-    qtbot.waitUntil(lambda: dialog.left.findText(title) > 0, timeout=10_000)
+    qtbot.waitUntil(lambda: dialog.left.findText(title) > 0)
     dialog.left.setCurrentIndex(dialog.left.findText(title))
     assert dialog.choice() == f"name:Folder {tmp_path.name}"
     dialog.use.click()

@@ -79,7 +79,7 @@ def controls(window) -> Controls:
 def dialog(window, qtbot):
     made = CameraSetup(window.host, window.store, window.tasks, window, lambda: [WEB, ZED])
     window.set_up.show_dialog("camera", made)
-    qtbot.waitUntil(lambda: made.left.count() == 3, timeout=30_000)
+    qtbot.waitUntil(lambda: made.left.count() == 3)
     return made
 
 
@@ -162,7 +162,7 @@ def test_an_unconfirmed_lock_is_never_shown_as_done(window, qtbot, device):
     qtbot.waitUntil(lambda: states["exposure"].text().startswith("◐ cannot be verified"))
     assert states["white_balance"].text() == "● locked at 4600"
     window.set_up.dialogs["camera"].close()
-    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
+    qtbot.waitUntil(lambda: not window.tasks.tasks)
 
 
 def test_a_number_opens_an_unlisted_camera(window, store, qtbot):
@@ -173,7 +173,7 @@ def test_a_number_opens_an_unlisted_camera(window, store, qtbot):
     window.set_up.show_dialog("camera", made)
     labels = [label.text().replace("&", "") for label in made.findChildren(QLabel)]
     assert "Or number, file" in labels
-    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
+    qtbot.waitUntil(lambda: not window.tasks.tasks)
     qtbot.keyClicks(made.other, "1")
     made.use.click()
     assert store.value.camera == "1" and chosen(store.value.camera).title == "camera 1"
@@ -184,24 +184,24 @@ def test_a_number_opens_an_unlisted_camera(window, store, qtbot):
     assert chosen(again.choice()).source.name == "1 and 2"
     again._show_cameras([replace(WEB, index=1), ZED])
     assert again.choice() == by_names(WEB, ZED), "the same cameras, by their names"
-    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
+    qtbot.waitUntil(lambda: not window.tasks.tasks)
 
 
 def test_a_disconnected_camera_remains_selected(window, store, qtbot):
     store.update(camera=by_name(ZED))
     made = CameraSetup(window.host, store, window.tasks, window, lambda: [WEB])
     window.set_up.show_dialog("camera", made)
-    qtbot.waitUntil(lambda: made.left.currentText() == "ZED-M (not connected)", timeout=30_000)
+    qtbot.waitUntil(lambda: made.left.currentText() == "ZED-M (not connected)")
     made.use.click()
     assert store.value.camera == by_name(ZED)
-    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
+    qtbot.waitUntil(lambda: not window.tasks.tasks)
 
 
 def test_a_finished_search_does_not_change_an_address_being_typed(window, store, qtbot):
     typed = threading.Event()
 
     def slowly() -> list[CameraName]:
-        assert typed.wait(30)
+        assert typed.wait(60)
         return [WEB, ZED]
 
     store.update(camera=by_name(ZED))
@@ -209,9 +209,9 @@ def test_a_finished_search_does_not_change_an_address_being_typed(window, store,
     window.set_up.show_dialog("camera", made)
     qtbot.keyClicks(made.other, "rtsp://cam")
     typed.set()
-    qtbot.waitUntil(lambda: made.left.count() == 3, timeout=30_000)
+    qtbot.waitUntil(lambda: made.left.count() == 3)
     assert made.other.text() == "rtsp://cam" == made.choice()
-    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
+    qtbot.waitUntil(lambda: not window.tasks.tasks)
 
 
 def test_a_lock_is_set_and_released_in_the_dialog(window, controls, dialog):
@@ -263,7 +263,7 @@ def test_two_streams_are_two_cameras_with_their_own_sizes(store, dialog, window,
     assert [want.width for want in pair.source._wants] == [1280, 640]
     again = CameraSetup(window.host, store, window.tasks, window, list)
     qtbot.addWidget(again)
-    qtbot.waitUntil(lambda: again.other_right.text() == "rtsp://right/eye", timeout=30_000)
+    qtbot.waitUntil(lambda: again.other_right.text() == "rtsp://right/eye")
     assert again.other.text() == "rtsp://left/eye"
 
 
@@ -296,13 +296,13 @@ def test_the_dialog_shows_images_only_while_they_arrive(window, dialog, qtbot):
     assert left._array is None and dialog.arriving.text() == ""
     window.host.adopt(scripted_setup(ScriptedEngine()))
     frame = window.host.snapshot().frame
-    qtbot.waitUntil(lambda: left._array is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: left._array is not None)
     assert (left._array == frame.left).all() and (right._array == frame.right).all()
     height, width = frame.left.shape[:2]
     assert dialog.arriving.text().startswith(f"Receiving {width} × {height} px")
     assert dialog.arriving.text().endswith("(simulated camera)")
     window.host.end()
-    qtbot.waitUntil(lambda: left._array is None, timeout=10_000)
+    qtbot.waitUntil(lambda: left._array is None)
 
 
 def test_a_missing_camera_is_reported():

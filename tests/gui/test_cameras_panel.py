@@ -19,7 +19,7 @@ from tracker.messages import CameraPose, Shed
 
 @pytest.fixture
 def cameras(live, qtbot):
-    qtbot.waitUntil(lambda: live.cameras._view is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: live.cameras._view is not None)
     return live.cameras
 
 
@@ -72,9 +72,7 @@ def test_layers_change_on_a_frozen_image(cameras, engine, qtbot):
     cameras._layer_boxes["predicted"].click()
     assert 0 < len(cameras.left._shapes) < before
     cameras.freeze.click()
-    qtbot.waitUntil(
-        lambda: np.array_equal(cameras.left._array, frame_and_blobs(60)[0].left), timeout=30_000
-    )
+    qtbot.waitUntil(lambda: np.array_equal(cameras.left._array, frame_and_blobs(60)[0].left))
 
 
 def test_keys_zoom_and_move_and_stop_following(cameras, qtbot):

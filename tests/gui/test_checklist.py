@@ -61,7 +61,7 @@ def listed(window, rig, qtbot):
     """The visible list with a converged rig."""
     window.host.adopt(scripted_setup(rig))
     window.run_command("show_checklist")
-    qtbot.waitUntil(lambda: shown(window, "Light").look is GOOD, timeout=30_000)
+    qtbot.waitUntil(lambda: shown(window, "Light").look is GOOD)
     return window
 
 
@@ -87,7 +87,7 @@ def pass_time(window, rig, qtbot, seconds: float) -> None:
     then."""
     rig.now = seconds
     arrive = seconds < 0.5
-    qtbot.waitUntil(lambda: window.host.snapshot().images_arrive == arrive, timeout=30_000)
+    qtbot.waitUntil(lambda: window.host.snapshot().images_arrive == arrive)
     refreshed(window)
 
 
@@ -206,7 +206,7 @@ def test_a_slow_measurement_of_the_light_is_not_discarded_for_the_next_one(
     asked, go = [], threading.Event()
 
     def slow():
-        go.wait(30)
+        go.wait(60)
         return reading(9, 9)
 
     def work(*_):
@@ -249,5 +249,5 @@ def test_in_a_narrow_panel_buttons_are_below_their_reasons(listed, rig, qtbot):
     below = lambda: row._button.geometry().top() >= row._reason.geometry().bottom()  # noqa: E731
     for width, expected in ((900, False), (350, True), (900, False)):
         area.setFixedWidth(width)
-        qtbot.waitUntil(lambda want=expected: below() == want, timeout=10_000)
+        qtbot.waitUntil(lambda want=expected: below() == want)
         assert row._reason.width() > 150

@@ -82,11 +82,11 @@ def test_without_calibrated_cameras_the_fit_names_an_alternative() -> None:
 def test_the_banner_reports_unsuitable_colours_and_leads_to_a_fit(window, engine, qtbot):
     window.host.adopt(scripted_setup(engine))
     engine.values["colours_unfit"] = 1.0
-    qtbot.waitUntil(lambda: "none fit the glove" in window.banner.text(), timeout=30_000)
+    qtbot.waitUntil(lambda: "none fit the glove" in window.banner.text())
     engine.values["colours_unfit"] = 0.0
-    qtbot.waitUntil(lambda: not window.messages.isVisible(), timeout=30_000)
+    qtbot.waitUntil(lambda: not window.messages.isVisible())
     engine.values["colours_unfit"] = 1.0
-    qtbot.waitUntil(window.messages.isVisible, timeout=30_000)
+    qtbot.waitUntil(window.messages.isVisible)
     window.banner.buttons[0].click()
     assert window.colours.tuning.live.wanted
     assert not window.messages.isVisible()
@@ -98,7 +98,7 @@ def test_a_start_that_finds_no_hand_fits_automatically_in_the_background(window,
     window.host.adopt(scripted_setup(searching))
     tuning = window.colours.tuning
     before = tuning.profile
-    qtbot.waitUntil(lambda: tuning.live.wanted, timeout=30_000)
+    qtbot.waitUntil(lambda: tuning.live.wanted)
     assert window.colours.works_unseen
     assert window.banner.text() == ""
     assert tuning.profile is before

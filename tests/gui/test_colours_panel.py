@@ -57,13 +57,13 @@ def colours(window, engine, qtbot):
     """The visible panel, with a named camera."""
     window.host.adopt(setup_of(engine))
     window.run_command("show_colours")
-    qtbot.waitUntil(lambda: window.colours.image.source.image() is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: window.colours.image.source.image() is not None)
     return window.colours
 
 
 def idle(colours, qtbot):
     tasks = colours.window().tasks
-    qtbot.waitUntil(lambda: not tasks.tasks, timeout=30_000)
+    qtbot.waitUntil(lambda: not tasks.tasks)
 
 
 def widget_point(view, u: float, v: float) -> QPoint:
@@ -109,7 +109,7 @@ def test_one_click_per_hue_learns_the_colours(colours, engine, qtbot):
         uv = blobs.left.uv[blobs.left.hue == blobs.hue_names.index(name)][0]
         at = widget_point(colours.image.mask_view, *uv)
         qtbot.mouseClick(colours.image.mask_view, Qt.MouseButton.LeftButton, pos=at)
-    qtbot.waitUntil(lambda: engine.profiles[-1].learned is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: engine.profiles[-1].learned is not None)
     found = Detector(engine.profiles[-1]).detect(image.left)[0]
     shown = [np.linalg.norm(found.uv - uv, axis=1).min() < 4 for uv in blobs.left.uv]
     assert np.mean(shown) > 0.85
@@ -141,7 +141,7 @@ def test_clicks_report_missing_hues_and_undone_ones_do_not_count(colours, engine
     assert f"also click: {names[0]}." in message()
     assert engine.profiles[-1].learned is None
     click(colours, qtbot, 0, first[0])
-    qtbot.waitUntil(lambda: engine.profiles[-1].learned is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: engine.profiles[-1].learned is not None)
     assert message().startswith("Fitted")
 
 
@@ -195,7 +195,7 @@ def test_a_fit_corrects_a_wrong_hue_and_is_one_undo_step(colours, engine, qtbot,
     spoilt = colours.tuning.profile
     getattr(colours.tools, signal).emit()
     idle(colours, qtbot)
-    qtbot.waitUntil(lambda: colours.ranges.words.text().startswith("Fitted"), timeout=30_000)
+    qtbot.waitUntil(lambda: colours.ranges.words.text().startswith("Fitted"))
     assert engine.profiles[-1] == colours.tuning.profile != spoilt
     default, fitted = Detector(models()[2]), Detector(colours.tuning.profile)
     images = [frame_and_blobs(frame)[0].left for frame in (5, 60, 120)]
@@ -209,7 +209,7 @@ def test_a_fit_without_a_tracked_hand_gives_instructions(window, engine, qtbot):
     engine.tracking = Tracking.SEARCHING
     window.host.adopt(setup_of(engine))
     window.run_command("show_colours")
-    qtbot.waitUntil(lambda: window.colours.image.source.image() is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: window.colours.image.source.image() is not None)
     window.colours.tools.fit_markers.emit()
     assert shows(window.banner.text(), "window.no_markers_to_fit")
 
@@ -251,7 +251,7 @@ def test_a_replay_stores_no_colours(window, engine):
 def test_a_stored_image_is_tuned_while_the_live_one_continues(colours, engine, qtbot):
     image = frame_and_blobs(engine.frame)[0]
     colours.image.source.keep_button.click()
-    qtbot.waitUntil(lambda: not colours.image.source.is_live, timeout=30_000)
+    qtbot.waitUntil(lambda: not colours.image.source.is_live)
     engine.frame = 60
     qtbot.wait(300)
     assert np.array_equal(colours.image.source.image(), image.left)
@@ -261,11 +261,9 @@ def test_a_stored_image_is_tuned_while_the_live_one_continues(colours, engine, q
     fx = colours.host.setup.camera.rig.fx
     found = Detector(colours.tuning.profile, size, fx).detect(image.right)[0]
     count = f"{int((found.hue == 0).sum())}"
-    qtbot.waitUntil(lambda: colours.ranges.hues.chips[0].text() == count, timeout=30_000)
+    qtbot.waitUntil(lambda: colours.ranges.hues.chips[0].text() == count)
     colours.image.source.choice.setCurrentIndex(0)
-    qtbot.waitUntil(
-        lambda: colours.image.source.image() is frame_and_blobs(60)[0].right, timeout=30_000
-    )
+    qtbot.waitUntil(lambda: colours.image.source.image() is frame_and_blobs(60)[0].right)
 
 
 class HeldDetector:
@@ -293,7 +291,7 @@ def held(colours, qtbot, monkeypatch):
     held = HeldDetector()
     monkeypatch.setattr(colour_search, "Detector", held.detector)
     colours.image.source.keep_button.click()
-    qtbot.waitUntil(lambda: len(held.begun) == 1, timeout=30_000)
+    qtbot.waitUntil(lambda: len(held.begun) == 1)
     yield held
     held.go_on.set()
 
@@ -310,7 +308,7 @@ def test_a_stored_image_is_searched_in_the_background(colours, held, qtbot):
     size, fx = float(models()[1].marker_size.mean()), colours.host.setup.camera.rig.fx
     found = Detector(models()[2], size, fx).detect(image)[0]
     count = f"{int((found.hue == 0).sum())}"
-    qtbot.waitUntil(lambda: colours.ranges.hues.chips[0].text() == count, timeout=30_000)
+    qtbot.waitUntil(lambda: colours.ranges.hues.chips[0].text() == count)
 
 
 def test_a_replay_is_searched_with_the_tuned_colours(colours, qtbot):
@@ -324,9 +322,9 @@ def test_a_replay_is_searched_with_the_tuned_colours(colours, qtbot):
     found = Detector(models()[2], size, fx).detect(image)[0]
     count = int((found.hue == index).sum())
     assert count > 0
-    qtbot.waitUntil(lambda: chip.text() == f"{count}", timeout=30_000)
+    qtbot.waitUntil(lambda: chip.text() == f"{count}")
     narrow(colours, "green")
-    qtbot.waitUntil(lambda: chip.text() == "0", timeout=30_000)
+    qtbot.waitUntil(lambda: chip.text() == "0")
 
 
 def test_a_replay_faster_than_searches_shows_results(colours, engine, qtbot, monkeypatch):
@@ -335,15 +333,13 @@ def test_a_replay_faster_than_searches_shows_results(colours, engine, qtbot, mon
     replayed = dataclasses.replace(colours.tuning.setup, player=SimpleNamespace())
     colours.tuning.search = colour_search.ImageSearch(replayed)
     monkeypatch.setattr(colours.tuning.search, "found", found.append)
-    qtbot.waitUntil(lambda: len(held.begun) == 1, timeout=30_000)
+    qtbot.waitUntil(lambda: len(held.begun) == 1)
     engine.frame = 60
-    qtbot.waitUntil(
-        lambda: colours.image.source.image() is frame_and_blobs(60)[0].left, timeout=30_000
-    )
+    qtbot.waitUntil(lambda: colours.image.source.image() is frame_and_blobs(60)[0].left)
     for _ in range(3):
         colours.refresh(colours.host.snapshot())
     held.go_on.set()
-    qtbot.waitUntil(lambda: len(found) == 2, timeout=30_000)  # the first one's, and the newest's
+    qtbot.waitUntil(lambda: len(found) == 2)  # the first one's, and the newest's
 
 
 def test_only_the_newest_profile_is_used_and_shown(colours, held, qtbot):
@@ -355,8 +351,8 @@ def test_only_the_newest_profile_is_used_and_shown(colours, held, qtbot):
         colours.ranges.rows["saturation"].low.setValue(low)
     newest = colours.tuning.profile
     held.go_on.set()
-    qtbot.waitUntil(lambda: len(held.begun) == 2, timeout=30_000)  # two were skipped
-    qtbot.waitUntil(lambda: bool(answers), timeout=30_000)
+    qtbot.waitUntil(lambda: len(held.begun) == 2)  # two were skipped
+    qtbot.waitUntil(lambda: bool(answers))
     assert len(answers) == 1  # the result of the first search was outdated
     assert held.begun[-1].profile == newest
 
@@ -365,7 +361,7 @@ def test_the_result_for_a_removed_image_is_not_shown(colours, engine, held, qtbo
     engine.frame = 60
     colours.image.source.choice.setCurrentIndex(0)
     newest = frame_and_blobs(60)[0].left
-    qtbot.waitUntil(lambda: colours.image.source.image() is newest, timeout=30_000)
+    qtbot.waitUntil(lambda: colours.image.source.image() is newest)
     held.go_on.set()
     qtbot.wait(200)
     rows = colours.tuning.rows(colours.image.shown())
@@ -379,7 +375,7 @@ def test_stored_images_are_standard_png_files(colours, engine, qtbot, tmp_path):
     read = cv2.imread(str(tmp_path / "glove.png"))
     assert np.array_equal(read, np.hstack([image.left, image.right]))
     colours.image.source.stored.open_file(tmp_path / "glove.png")
-    qtbot.waitUntil(lambda: not colours.image.source.is_live, timeout=30_000)
+    qtbot.waitUntil(lambda: not colours.image.source.is_live)
     assert np.array_equal(colours.image.source.image(), image.left)
     colours.image.source.remove()
     assert colours.image.source.is_live and (tmp_path / "glove.png").exists()
@@ -388,20 +384,20 @@ def test_stored_images_are_standard_png_files(colours, engine, qtbot, tmp_path):
 def test_a_removed_image_is_restored_by_undo(colours, engine, qtbot, tmp_path):
     source, window = colours.image.source, colours.window()
     source.keep_button.click()
-    qtbot.waitUntil(lambda: not source.is_live, timeout=30_000)
+    qtbot.waitUntil(lambda: not source.is_live)
     name, image = source.choice.currentText(), source.image()
     path = source.stored.folder.path(name)
     source.remove()
     assert source.is_live and not path.exists() and source.choice.findText(name) < 0
     assert window.banner.text() == f"The image {name} was removed."
     window.banner.buttons[0].click()
-    qtbot.waitUntil(lambda: not source.is_live, timeout=30_000)
+    qtbot.waitUntil(lambda: not source.is_live)
     assert path.exists() and source.choice.currentText() == name
     assert np.array_equal(source.image(), image)
     source.stored.save_file(tmp_path / "elsewhere.png", *colours.image.source.pair())
     idle(colours, qtbot)
     source.stored.open_file(tmp_path / "elsewhere.png")
-    qtbot.waitUntil(lambda: source.choice.currentText() == "elsewhere", timeout=30_000)
+    qtbot.waitUntil(lambda: source.choice.currentText() == "elsewhere")
     source.remove()
     window.banner.buttons[0].click()
     assert source.choice.currentText() == "elsewhere" and not source.is_live
@@ -410,7 +406,7 @@ def test_a_removed_image_is_restored_by_undo(colours, engine, qtbot, tmp_path):
 def test_an_image_that_cannot_be_removed_is_reported(colours, qtbot):
     source = colours.image.source
     source.keep_button.click()
-    qtbot.waitUntil(lambda: not source.is_live, timeout=30_000)
+    qtbot.waitUntil(lambda: not source.is_live)
     name = source.choice.currentText()
     source.stored.folder.path(name).unlink()
     source.remove()
@@ -444,18 +440,18 @@ def test_a_frozen_image_is_counted_with_the_current_colours(colours, engine, qtb
     engine.frame = 60
     narrow(colours, "green")
     missed = lambda: colours.tuning.rows(colours.image.shown())[index]  # noqa: E731
-    qtbot.waitUntil(lambda: missed().count.startswith("0 of about "), timeout=30_000)
+    qtbot.waitUntil(lambda: missed().count.startswith("0 of about "))
     assert missed().look is WARN
     assert colours.image.source.image() is image
     colours.undo()
     size, fx = float(models()[1].marker_size.mean()), colours.host.setup.camera.rig.fx
     found = int((Detector(models()[2], size, fx).detect(image)[0].hue == index).sum())
     assert found > 0
-    qtbot.waitUntil(lambda: missed().count.startswith(f"{found} of about "), timeout=30_000)
+    qtbot.waitUntil(lambda: missed().count.startswith(f"{found} of about "))
     assert missed().look is GOOD
     colours.image.source.freeze.setChecked(False)
     assert colours.image.mask_view._title == "Mask"
-    qtbot.waitUntil(lambda: colours.image.source.image() is not image, timeout=30_000)
+    qtbot.waitUntil(lambda: colours.image.source.image() is not image)
 
 
 def test_another_camera_starts_live(colours):
@@ -605,10 +601,10 @@ def test_import_and_export_ask_for_a_file(colours, monkeypatch, tmp_path):
 def test_the_light_is_measured_and_missed_markers_get_rings(colours, qtbot):
     """A stored image whose colours are not in the profile; suitable colours remove the rings."""
     light = colours.light
-    qtbot.waitUntil(lambda: light.watch.reading is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: light.watch.reading is not None)
     narrow(colours, "green")
     missed = lambda: len(light.rings(colours.image.shown()))  # noqa: E731
-    qtbot.waitUntil(lambda: missed() > 0, timeout=30_000)
+    qtbot.waitUntil(lambda: missed() > 0)
     assert "markers missed" in light.watch.line()
     assert shows(light.advice.text(), "light.markers_missed")
     assert shows(light.chip.toolTip(), "light.markers_missed")
@@ -617,19 +613,19 @@ def test_the_light_is_measured_and_missed_markers_get_rings(colours, qtbot):
     light.show_missed.setChecked(True)
     before = missed()
     colours.undo()
-    qtbot.waitUntil(lambda: missed() < before, timeout=30_000)
+    qtbot.waitUntil(lambda: missed() < before)
 
 
 def test_missed_markers_of_a_frozen_image_are_those_of_that_image(colours, engine, qtbot):
     """It was never measured if the live one had been measured within the second before."""
     light = colours.light
     narrow(colours, "green")
-    qtbot.waitUntil(lambda: len(light.rings(colours.image.shown())) > 0, timeout=30_000)
+    qtbot.waitUntil(lambda: len(light.rings(colours.image.shown())) > 0)
     engine.frame = 33  # a tenth of a second later
     newest = frame_and_blobs(33)[0].left
-    qtbot.waitUntil(lambda: colours.image.source.image() is newest, timeout=30_000)
+    qtbot.waitUntil(lambda: colours.image.source.image() is newest)
     colours.image.source.freeze.setChecked(True)
-    qtbot.waitUntil(lambda: light.watch.is_of(newest), timeout=30_000)
+    qtbot.waitUntil(lambda: light.watch.is_of(newest))
     rings = light.rings(colours.image.shown())
     missed = (
         LightMeter(colours.tuning.profile, colours.host.setup.camera.rig.fx).read(newest).missed
@@ -652,7 +648,7 @@ def test_colours_that_follow_the_light_can_be_seen_stored_and_tuned(
     """A slider moved afterwards changes the colours of this light, not of the previous one."""
     old = colours.tuning.profile
     engine.followed = new = warmer(old)
-    qtbot.waitUntil(lambda: colours.tuning.profile == new, timeout=30_000)
+    qtbot.waitUntil(lambda: colours.tuning.profile == new)
     row = colours.ranges.rows["hue"]
     assert row.values() == new.hues[colours.tuning.hue].hue != old.hues[colours.tuning.hue].hue
     assert colours.host.setup.profile == new  # overlays and the checklist go by it
@@ -676,7 +672,7 @@ def test_a_continuous_change_of_light_is_one_undo_step(colours, engine, qtbot):
     old = colours.tuning.profile
     for _ in range(3):
         engine.followed = new = warmer(colours.tuning.profile)
-        qtbot.waitUntil(lambda new=new: colours.tuning.profile == new, timeout=30_000)
+        qtbot.waitUntil(lambda new=new: colours.tuning.profile == new)
     colours.undo()
     assert colours.tuning.profile == old
     colours.redo()
@@ -689,7 +685,7 @@ def test_a_change_of_light_during_clicks_preserves_them(colours, engine, qtbot):
     colours.tools.pick.click()
     click(colours, qtbot, 0, first)
     engine.followed = new = warmer(colours.tuning.profile)
-    qtbot.waitUntil(lambda: colours.tuning.profile == new, timeout=30_000)
+    qtbot.waitUntil(lambda: colours.tuning.profile == new)
     assert colours.ranges.words.text().startswith("Clicked: red.")
 
 
@@ -784,7 +780,7 @@ def test_a_number_being_typed_is_not_changed_by_the_light(colours, engine, qtbot
     row.low.selectAll()
     qtbot.keyClicks(row.low, "4")
     engine.followed = first = warmer(colours.tuning.profile)
-    qtbot.waitUntil(lambda: colours.tuning.profile == first, timeout=30_000)
+    qtbot.waitUntil(lambda: colours.tuning.profile == first)
     assert row.low.lineEdit().text() == "4"
     assert row.high.value() == first.hues[index].hue[1] == old[1] - 5
     qtbot.keyClicks(row.low, "1")
@@ -793,7 +789,7 @@ def test_a_number_being_typed_is_not_changed_by_the_light(colours, engine, qtbot
     assert engine.profiles[-1].hues[0] == first.hues[0]
     row.low.selectAll()
     engine.followed = second = warmer(colours.tuning.profile)
-    qtbot.waitUntil(lambda: colours.tuning.profile == second, timeout=30_000)
+    qtbot.waitUntil(lambda: colours.tuning.profile == second)
     assert row.low.lineEdit().selectedText() == "41"  # about to be typed over
     colours.image.mask_view.setFocus()
     assert row.values() == second.hues[index].hue, "once it is left it shows the latest"

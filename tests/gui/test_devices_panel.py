@@ -90,7 +90,7 @@ def devices(window, glove, camera, qtbot):
     )
     window.host.adopt(setup)
     window.run_command("show_devices")
-    qtbot.waitUntil(lambda: bool(window.panels["devices"].values), timeout=30_000)
+    qtbot.waitUntil(lambda: bool(window.panels["devices"].values))
     return window.panels["devices"]
 
 
@@ -262,7 +262,7 @@ def test_a_value_of_another_type_cannot_be_applied(devices):
 
 def test_a_glove_without_a_report_and_no_engine_at_all(live, qtbot):
     live.run_command("show_devices")
-    qtbot.waitUntil(lambda: bool(live.panels["devices"].values), timeout=30_000)
+    qtbot.waitUntil(lambda: bool(live.panels["devices"].values))
     assert RATE not in live.panels["devices"].values and live.panels["devices"].tree.fields == {}
     assert "glove_right.dorsum_answers" in live.panels["devices"].values
     live.host.shut_down()

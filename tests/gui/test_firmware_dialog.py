@@ -30,11 +30,11 @@ class Board:
         self.may_end.set()
 
     def find(self) -> list[PortReport]:
-        self.may_end.wait(20)
+        self.may_end.wait(60)
         return [PortReport("/dev/ttyS0", None), PortReport(PORT, self.hello)]
 
     def write(self, job: FlashJob) -> None:
-        self.may_end.wait(20)
+        self.may_end.wait(60)
         if self.trouble:
             raise FlashError(self.trouble)
         self.jobs.append(job)
@@ -56,7 +56,7 @@ def dialog(window, board: Board, qtbot) -> FirmwareSetup:
         window.host, window.tasks, window, find=board.find, write=board.write, greet=board.greet
     )
     made.show()
-    qtbot.waitUntil(lambda: made.ports.count() == 2 and made.write.isEnabled(), timeout=20_000)
+    qtbot.waitUntil(lambda: made.ports.count() == 2 and made.write.isEnabled())
     return made
 
 
@@ -77,7 +77,7 @@ def test_the_written_image_has_the_chosen_number_and_speed(
     dialog.write.click()
     assert not dialog.write.isEnabled() and dialog.busy.isVisible()
     board.may_end.set()
-    qtbot.waitUntil(dialog.write.isEnabled, timeout=20_000)
+    qtbot.waitUntil(dialog.write.isEnabled)
     assert board.jobs == [FlashJob(shipped_image(115_200).for_glove(12), PORT, 57_600)]
     assert "Glove 12" in dialog.words.text()
     assert "Its firmware is up to date" in dialog.versions.text()
@@ -92,7 +92,7 @@ def test_nothing_is_written_while_gloves_are_searched_for(
     dialog.ports.setCurrentText("/dev/ttyUSB7")
     assert not dialog.write.isEnabled() and not dialog.again.isEnabled()
     board.may_end.set()
-    qtbot.waitUntil(dialog.write.isEnabled, timeout=20_000)
+    qtbot.waitUntil(dialog.write.isEnabled)
     assert dialog.again.isEnabled()
 
 
@@ -104,11 +104,11 @@ def test_a_real_avrdude_writes_the_included_image_from_the_window(window, qtbot)
         window.host, window.tasks, window, find=lambda: [PortReport(chip.port, OLD)], greet=_newer
     )
     try:
-        qtbot.waitUntil(dialog.write.isEnabled, timeout=20_000)
+        qtbot.waitUntil(dialog.write.isEnabled)
         assert "1.0.0" in dialog.versions.text() and "up to date" not in dialog.versions.text()
         dialog.number.setValue(12)
         dialog.write.click()
-        qtbot.waitUntil(dialog.write.isEnabled, timeout=60_000)
+        qtbot.waitUntil(dialog.write.isEnabled)
     finally:
         chip.close()
     image = shipped_image().for_glove(12)
@@ -125,11 +125,11 @@ def test_a_failure_is_reported_and_can_be_retried(
 ) -> None:
     board.trouble = "The board does not answer as a bootloader."
     dialog.write.click()
-    qtbot.waitUntil(dialog.write.isEnabled, timeout=20_000)
+    qtbot.waitUntil(dialog.write.isEnabled)
     assert dialog.words.text() == board.trouble
     board.trouble = ""
     dialog.write.click()
-    qtbot.waitUntil(lambda: len(board.jobs) == 1, timeout=20_000)
+    qtbot.waitUntil(lambda: len(board.jobs) == 1)
 
 
 def test_tracking_is_stopped_before_the_firmware_is_written(window, board: Board, qtbot) -> None:
@@ -147,7 +147,7 @@ def test_tracking_is_stopped_before_the_firmware_is_written(window, board: Board
     dialog.ports.setCurrentText(PORT)
     dialog.write.click()
     assert window.host.setup is None
-    qtbot.waitUntil(lambda: len(board.jobs) == 1, timeout=20_000)
+    qtbot.waitUntil(lambda: len(board.jobs) == 1)
 
 
 def test_the_menu_opens_it_once(window) -> None:

@@ -43,12 +43,12 @@ def session(made, tmp_path):
 def review(window, session, qtbot):
     """A paused replay with its gaps listed in the visible panel."""
     window.sources.open_session(session)
-    qtbot.waitUntil(lambda: window.host.running, timeout=60_000)
+    qtbot.waitUntil(lambda: window.host.running)
     window.host.setup.player.play(False)
     window.show_panel("library")
     window.library.pages.bar.setCurrentIndex(PAGE)
     page = window.library.gaps.page
-    qtbot.waitUntil(lambda: page.table.rowCount() >= len(CUTS), timeout=60_000)
+    qtbot.waitUntil(lambda: page.table.rowCount() >= len(CUTS))
     return window
 
 
@@ -107,7 +107,7 @@ def test_a_click_goes_to_the_gap(review, qtbot):
     page.table.scrollToItem(item)
     place = page.table.visualItemRect(item).center()
     QTest.mouseClick(page.table.viewport(), Qt.MouseButton.LeftButton, pos=place)
-    qtbot.waitUntil(lambda: abs(player.position - CUTS[-1][0]) < 0.03, timeout=10_000)
+    qtbot.waitUntil(lambda: abs(player.position - CUTS[-1][0]) < 0.03)
     assert not player.playing
 
 
@@ -135,20 +135,20 @@ def test_filled_gaps_are_in_a_new_file_and_never_shown_as_measured(review, sessi
         (edit,) = reader.edits
     assert (edit.method, len(edit.filled)) == ("cubic", 2)
     review.sources.open_session(out)
-    qtbot.waitUntil(lambda: opened(review) == out, timeout=60_000)
+    qtbot.waitUntil(lambda: opened(review) == out)
     review.host.setup.player.play(False)
     timeline = review.library.transport.timeline
     blue = INTERPOLATED.colour
-    qtbot.waitUntil(lambda: sum(s.colour == blue for s in timeline.spans) == 2, timeout=60_000)
+    qtbot.waitUntil(lambda: sum(s.colour == blue for s in timeline.spans) == 2)
     review.host.setup.player.seek(sum(CUTS[1]) / 2)
-    qtbot.waitUntil(lambda: in_gap(review), timeout=30_000)
+    qtbot.waitUntil(lambda: in_gap(review))
     view = review.host.snapshot()
     assert set(view.estimate.keypoint_state) == {Validity.INFERRED}
     coasting = Tracking.COASTING  # the status shown is renewed less often than the estimate
-    qtbot.waitUntil(lambda: review.host.snapshot().status.tracking == coasting, timeout=30_000)
-    qtbot.waitUntil(review.library.transport.interpolated.isVisible, timeout=10_000)
+    qtbot.waitUntil(lambda: review.host.snapshot().status.tracking == coasting)
+    qtbot.waitUntil(review.library.transport.interpolated.isVisible)
     review.host.setup.player.seek(1.6)
-    qtbot.waitUntil(lambda: not review.library.transport.interpolated.isVisible(), timeout=10_000)
+    qtbot.waitUntil(lambda: not review.library.transport.interpolated.isVisible())
 
 
 def test_a_removed_range_is_restored_by_undo(review):

@@ -32,7 +32,7 @@ GYRO_X = "right/imu/dorsum/gyro/x"
 def graphs(live, qtbot):
     """The panel in front, with its signals listed."""
     live.run_command("show_graphs")
-    qtbot.waitUntil(lambda: bool(live.panels["graphs"].data.signals), timeout=30_000)
+    qtbot.waitUntil(lambda: bool(live.panels["graphs"].data.signals))
     return live.panels["graphs"]
 
 
@@ -56,7 +56,7 @@ def show(panel, *graphs: tuple[str, ...]):
     window.docks["graphs"].setFloating(True)
     window.docks["graphs"].resize(900, 700)
     panel.stack.show_graphs([Graph(keys) for keys in graphs])
-    deadline = time.monotonic() + 30
+    deadline = time.monotonic() + 60
     while not all(plot.is_in_sight for plot in panel.stack.plots):
         QApplication.processEvents()
         assert time.monotonic() < deadline
@@ -257,7 +257,7 @@ def test_hidden_graphs_compute_nothing(graphs, live, engine, monkeypatch, qtbot)
     qtbot.wait(200)
     assert asked == []
     live.show_panel("graphs")
-    qtbot.waitUntil(lambda: bool(asked), timeout=10_000)
+    qtbot.waitUntil(lambda: bool(asked))
 
 
 def test_a_replay_shows_the_whole_recording_and_a_click_goes_there(window, qtbot, tmp_path):
@@ -269,7 +269,7 @@ def test_a_replay_shows_the_whole_recording_and_a_click_goes_there(window, qtbot
     graphs = window.panels["graphs"]
     angle, residual = "right/hand/angle/index_pip_flexion", "right/images/residual_left"
     show(graphs, (angle, residual), (GYRO_X,), ("right/gestures/fist", "right/images/blobs_left"))
-    qtbot.waitUntil(lambda: graphs.data.recording is not None, timeout=60_000)
+    qtbot.waitUntil(lambda: graphs.data.recording is not None)
     player = window.host.setup.player
     player.play(False)
     graphs.refresh(window.host.snapshot())
@@ -291,7 +291,7 @@ def test_a_replay_shows_the_whole_recording_and_a_click_goes_there(window, qtbot
     begin, end = first.plot.plot.viewRange()[0]
     assert begin == 0.0 and end == pytest.approx(player.duration)
     first.plot.sought.emit(2.0)
-    qtbot.waitUntil(lambda: abs(first.plot.at.value() - 2.0) < 0.1, timeout=10_000)
+    qtbot.waitUntil(lambda: abs(first.plot.at.value() - 2.0) < 0.1)
     first.controls.span.setCurrentIndex(1)
     first.controls.span.activated.emit(1)
     graphs.refresh(window.host.snapshot())

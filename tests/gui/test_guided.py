@@ -243,7 +243,7 @@ def test_escape_after_held_poses_shows_their_result(guided, clock, engine, qtbot
     pass_time(guided, clock, 3.7)
     qtbot.keyClick(guided, Qt.Key.Key_Escape)
     assert guided.pages.currentWidget() is guided.outcome
-    qtbot.waitUntil(lambda: guided.outcome.keep_button.isEnabled(), timeout=10_000)
+    qtbot.waitUntil(lambda: guided.outcome.keep_button.isEnabled())
     assert guided.outcome.heading.text() == "1 of 8 poses held"
 
 
@@ -261,10 +261,10 @@ def teach(engine: ChainEngine, degrees: float, sure: float = 0.5) -> None:
 
 def finished(guided, clock, engine, qtbot) -> None:
     guided.start()
-    qtbot.waitUntil(lambda: guided._before is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: guided._before is not None)
     through(guided, clock, engine)
     teach(engine.inner, 20.0)
-    qtbot.waitUntil(lambda: guided.outcome.keep_button.isEnabled(), timeout=10_000)
+    qtbot.waitUntil(lambda: guided.outcome.keep_button.isEnabled())
 
 
 def test_learned_parameters_are_reported_as_text_and_figures(guided, clock, engine, qtbot):
@@ -308,12 +308,12 @@ def test_kept_results_are_saved_in_the_selected_wearers_profile(
 ):
     window.calibration.profiles.save("Anna")
     row = window.calibration.wearer
-    qtbot.waitUntil(lambda: row.name == "Anna", timeout=10_000)
+    qtbot.waitUntil(lambda: row.name == "Anna")
     file = window.calibration.profiles.current._store.path("Anna")
     before = file.read_text("utf-8")
     finished(guided, clock, engine, qtbot)
     guided.outcome.keep_button.click()
-    qtbot.waitUntil(lambda: file.read_text("utf-8") != before, timeout=10_000)
+    qtbot.waitUntil(lambda: file.read_text("utf-8") != before)
 
 
 def test_kept_results_of_a_new_wearer_are_offered_to_be_saved(guided, window, clock, engine, qtbot):
@@ -355,10 +355,10 @@ def rows_of(dialog) -> dict[str, list[str]]:
 
 def test_an_insignificant_change_is_not_reported(guided, clock, engine, qtbot):
     guided.start()
-    qtbot.waitUntil(lambda: guided._before is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: guided._before is not None)
     through(guided, clock, engine)
     teach(engine.inner, 6.0, sure=0.9)  # of 8.2° standard deviation between people in a fist
-    qtbot.waitUntil(lambda: guided.outcome.keep_button.isEnabled(), timeout=10_000)
+    qtbot.waitUntil(lambda: guided.outcome.keep_button.isEnabled())
     summary = guided.outcome.words.text()
     assert summary == "Your fingers bend as expected."
     assert rows_of(guided)["End joint of the index finger, bent"][2] == "+6.0°"
@@ -448,12 +448,12 @@ def test_another_engine_ends_it(guided, window, clock, engine):
 def test_a_frozen_calibration_reports_that_poses_have_no_effect(guided, clock, engine, qtbot):
     engine.inner.wearer.freeze(True)
     guided.start()
-    qtbot.waitUntil(lambda: guided.pages.currentWidget() is guided.outcome, timeout=10_000)
+    qtbot.waitUntil(lambda: guided.pages.currentWidget() is guided.outcome)
     assert "frozen" in guided.outcome.words.text() and not guided.run.is_running
     engine.inner.wearer.freeze(False)
     guided.outcome.again_button.click()
     assert guided.leads and guided.run.is_running
-    qtbot.waitUntil(lambda: guided._before is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: guided._before is not None)
 
 
 def test_repeating_and_ending_at_once_still_shows_the_earlier_result(guided, clock, engine, qtbot):
@@ -462,7 +462,7 @@ def test_repeating_and_ending_at_once_still_shows_the_earlier_result(guided, clo
     while guided.run.is_running:
         guided.run.skip(clock.now)
     guided.tick()
-    qtbot.waitUntil(lambda: guided.outcome.keep_button.isEnabled(), timeout=10_000)
+    qtbot.waitUntil(lambda: guided.outcome.keep_button.isEnabled())
     assert guided.outcome.heading.text() == "0 of 8 poses held"
     assert "index finger bends 20° more" in guided.outcome.words.text()
 

@@ -49,7 +49,7 @@ class Second(ScriptedEngine):
 @pytest.fixture
 def hand(window, engine, qtbot):
     window.host.adopt(with_live(scripted_setup(engine), hand=Second(engine)))
-    qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: window.hand._scene is not None)
     return window.hand
 
 
@@ -284,14 +284,14 @@ def greenish():
     return (rgb[..., 1] > rgb[..., 0] + 25).mean()
 
 assert wait_until(lambda: panel.view.on_card, 60), "the card's view did not start"
-wait_until(lambda: greenish() > 0.005, 30)
+wait_until(lambda: greenish() > 0.005, 60)
 on_card = greenish()
 
 def dead(*_):
     raise RuntimeError("driver lost")
 
 panel.view._view.surface.render = dead
-wait_until(lambda: greenish() > 0.005 and not panel.view.on_card, 30)
+wait_until(lambda: greenish() > 0.005 and not panel.view.on_card, 60)
 print(on_card, greenish(), panel.view.on_card)
 host.shut_down()
 panel.shut_down()

@@ -255,7 +255,7 @@ def test_a_trail_is_a_ribbon_that_ends_at_the_fingertip_and_faces_the_eye() -> N
 
 def test_the_window_draws_the_skin_once_it_is_built(live, qtbot) -> None:
     """And the outline of the reference, when it is asked for."""
-    qtbot.waitUntil(lambda: live.hand._hands[0].skin is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: live.hand._hands[0].skin is not None)
     hand = live.hand
     hand.refresh(hand.host.snapshot())
     scene = hand._scene

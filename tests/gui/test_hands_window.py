@@ -48,11 +48,11 @@ def session(tmp_path_factory):
 def replay(window, session, qtbot):
     """Paused where both hands are tracked."""
     window.sources.open_session(session)
-    qtbot.waitUntil(lambda: window.host.running, timeout=60_000)
+    qtbot.waitUntil(lambda: window.host.running)
     player = window.host.setup.player
     player.play(False)
     player.seek(2.0)
-    qtbot.waitUntil(lambda: all(known(hand, 1.8) for hand in looks(window)), timeout=30_000)
+    qtbot.waitUntil(lambda: all(known(hand, 1.8) for hand in looks(window)))
     return window
 
 
@@ -71,18 +71,18 @@ def test_a_session_of_both_is_shown_completely(replay, qtbot):
     assert [left.setup.side, right.setup.side] == ["left", "right"]
     assert len(left.imu) > 5 and len(right.imu) > 5
     assert (left.imu[0].gyro != right.imu[0].gyro).all()
-    qtbot.waitUntil(lambda: len(replay.hand._hands) == 2, timeout=10_000)
-    qtbot.waitUntil(lambda: all(h.scene and h.skin for h in replay.hand._hands), timeout=60_000)
+    qtbot.waitUntil(lambda: len(replay.hand._hands) == 2)
+    qtbot.waitUntil(lambda: all(h.scene and h.skin for h in replay.hand._hands))
     for hand in replay.hand._hands:
         view = next(v for v in (left, right) if v.setup.side == hand.setup.side)
         assert abs(hand.scene.segment_p[0] - view.estimate.segment_p[0]).max() < 0.05
-        qtbot.waitUntil(lambda drawn=hand.bodies._hand: drawn.shown, timeout=30_000)
+        qtbot.waitUntil(lambda drawn=hand.bodies._hand: drawn.shown)
     view = replay.host.snapshot()
     only = Layers(False, False, False, False, False, skeleton=True)
     colours = hue_colours(view.setup.profile)
     alone = [len(overlay(replace(h, others=()), only, colours, False)) for h in view.hands]
     assert len(overlay(view, only, colours, False)) == sum(alone) and min(alone) > 15
-    qtbot.waitUntil(lambda: replay.bar.other_hand.isVisible(), timeout=10_000)
+    qtbot.waitUntil(lambda: replay.bar.other_hand.isVisible())
     assert replay.bar.tracking.text().startswith("Right: ")
     assert replay.bar.other_hand.text().startswith("Left: ")
 
@@ -106,7 +106,7 @@ ONE_HAND_PANELS = ("sensors", "motion", "calibration", "checklist", "application
 def test_a_panel_of_one_hand_names_it_and_can_switch(replay, qtbot, name):
     replay.show_panel(name)
     choice = replay.panels[name].hand_choice
-    qtbot.waitUntil(choice.isVisible, timeout=10_000)
+    qtbot.waitUntil(choice.isVisible)
     left, right = choice._segments.buttons
     assert (left.text(), right.text()) == ("Left hand", "Right hand")
     assert right.isChecked() and not left.isChecked()
@@ -122,7 +122,7 @@ def test_a_panel_of_one_hand_names_it_and_can_switch(replay, qtbot, name):
 def test_motion_measures_the_take_of_the_hand_that_is_shown(replay, session, qtbot):
     for side in ("left", "right"):
         replay.host.show_hand(side)
-        qtbot.waitUntil(lambda: replay.motion.model.take is not None, timeout=30_000)
+        qtbot.waitUntil(lambda: replay.motion.model.take is not None)
         with SessionReader(session, side=side) as reader:
             own = read_take(reader)
         shown = replay.motion.model.take
@@ -170,7 +170,7 @@ def two_gloves(window, qtbot, store, gloves, monkeypatch):
 
 def opened(window, qtbot):
     window.sources.open_devices()
-    qtbot.waitUntil(lambda: window.host.running, timeout=60_000)
+    qtbot.waitUntil(lambda: window.host.running)
 
 
 def newest(window, side: str) -> float:
@@ -217,7 +217,7 @@ def test_gloves_are_unplugged_and_plugged_in_any_order(window, qtbot, gloves, tw
 def test_two_gloves_without_a_camera_have_not_lost_a_position(window, qtbot, two_gloves):
     opened(window, qtbot)
     for chip in (window.bar.tracking, window.bar.other_hand):
-        qtbot.waitUntil(lambda chip=chip: "Position unknown" in chip.text(), timeout=60_000)
+        qtbot.waitUntil(lambda chip=chip: "Position unknown" in chip.text())
 
 
 def test_the_other_hands_glove_is_connected_when_plugged_in(

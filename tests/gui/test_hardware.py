@@ -67,8 +67,8 @@ def connected(window, qtbot, store, tmp_path, device, film):
     save_calibration(calibration, rig.left, rig.right, rig.R, rig.T)
     store.update(port=device.path, camera=str(film), calibration=str(calibration))
     window.sources.open_devices()
-    qtbot.waitUntil(lambda: window.host.running, timeout=60_000)
-    qtbot.waitUntil(lambda: _done(window, "Glove found"), timeout=30_000)
+    qtbot.waitUntil(lambda: window.host.running)
+    qtbot.waitUntil(lambda: _done(window, "Glove found"))
     return window
 
 
@@ -80,12 +80,12 @@ def _done(window, name: str) -> bool:
 def test_both_are_found_and_the_list_follows(connected, qtbot, device):
     assert device.path in connected.windowTitle()
     for name in ("All IMUs respond", "Camera found", "Camera calibrated"):
-        qtbot.waitUntil(lambda n=name: _done(connected, n), timeout=30_000)
+        qtbot.waitUntil(lambda n=name: _done(connected, n))
 
     def exposure():  # of a film
         return next(s for s in steps(connected.host.snapshot()) if s.name == "Exposure locked")
 
-    qtbot.waitUntil(lambda: exposure().check, timeout=30_000)
+    qtbot.waitUntil(lambda: exposure().check)
     assert exposure().reason.startswith("Cannot be verified")
     assert connected.host.setup.camera.name.endswith("mine")
     found = next(s for s in steps(connected.host.snapshot()) if s.name == "Glove found")
@@ -97,9 +97,9 @@ def test_both_are_found_and_the_list_follows(connected, qtbot, device):
     dialog = connected.set_up.dialogs["glove"]
     assert dialog.choice.port() == SESSION
     dialog.tabs.setCurrentWidget(dialog.still)
-    qtbot.waitUntil(dialog.still.start.isEnabled, timeout=30_000)
+    qtbot.waitUntil(dialog.still.start.isEnabled)
     dialog.still.start.click()
-    qtbot.waitUntil(lambda: _done(connected, "Measured at rest"), timeout=30_000)
+    qtbot.waitUntil(lambda: _done(connected, "Measured at rest"))
 
 
 def test_an_unplugged_glove_is_logged(connected, qtbot, device):
@@ -109,7 +109,7 @@ def test_an_unplugged_glove_is_logged(connected, qtbot, device):
         texts = [connected.log.list.item(i).text() for i in range(connected.log.list.count())]
         return any("unplugged" in t for t in texts)
 
-    qtbot.waitUntil(is_logged, timeout=30_000)
+    qtbot.waitUntil(is_logged)
 
 
 @pytest.fixture
@@ -118,19 +118,19 @@ def glove_alone(window, qtbot, store, device, monkeypatch):
     monkeypatch.setattr("app.engines.camera_choice.all_cameras", list)
     store.update(port=device.path, camera="", calibration="")
     window.sources.open_devices()
-    qtbot.waitUntil(lambda: window.host.running, timeout=60_000)
+    qtbot.waitUntil(lambda: window.host.running)
     return window
 
 
 def test_a_glove_without_a_camera_is_shown_by_its_imus(glove_alone, qtbot):
     window = glove_alone
-    qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=60_000)
+    qtbot.waitUntil(lambda: window.hand._scene is not None)
     assert shows(window.banner.text(), "camera.none_found")
     assert shows(window.banner.text(), "window.no_rig")
     for name in ("Glove found", "All IMUs respond"):
-        qtbot.waitUntil(lambda n=name: _done(window, n), timeout=30_000)
+        qtbot.waitUntil(lambda n=name: _done(window, n))
     assert not _done(window, "Camera found") and not _done(window, "Camera calibrated")
-    qtbot.waitUntil(lambda: "Position unknown" in window.hand._scene.caption, timeout=30_000)
+    qtbot.waitUntil(lambda: "Position unknown" in window.hand._scene.caption)
     scene, view = window.hand._scene, window.host.snapshot()
     assert np.isfinite(scene.segment_p).all()
     assert scene.segment_state[0] == Validity.LOST and Validity.MEASURED in scene.segment_state
@@ -141,17 +141,15 @@ def test_a_glove_without_a_camera_is_shown_by_its_imus(glove_alone, qtbot):
 
 def test_a_glove_alone_is_recorded_and_replayed(glove_alone, qtbot, tmp_path):
     window = glove_alone
-    qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=60_000)
+    qtbot.waitUntil(lambda: window.hand._scene is not None)
     path = tmp_path / "alone.mcap"
     assert window.host.recording.begin(RecordingRequest(path, "", ""))
-    qtbot.waitUntil(lambda: window.host.recording.written > 100, timeout=30_000)
+    qtbot.waitUntil(lambda: window.host.recording.written > 100)
     window.host.recording.end()
     window.sources.open_session(path)
-    qtbot.waitUntil(
-        lambda: (s := window.host.setup) is not None and s.player is not None, timeout=60_000
-    )
+    qtbot.waitUntil(lambda: (s := window.host.setup) is not None and s.player is not None)
     window.host.setup.player.play(True)  # its first instants may be those of a search
-    qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=60_000)
+    qtbot.waitUntil(lambda: window.hand._scene is not None)
     assert "Position unknown" in window.hand._scene.caption
     assert len(window.host.snapshot().imu) > 0
 
@@ -167,21 +165,21 @@ def test_one_webcam_is_a_complete_rig(window, qtbot, store, tmp_path, device):
     calibration = str(tmp_path / "webcam.yml")
     store.update(port=device.path, camera=str(path), calibration=calibration)
     window.sources.open_devices()
-    qtbot.waitUntil(lambda: window.host.running, timeout=60_000)
+    qtbot.waitUntil(lambda: window.host.running)
     assert window.host.setup.whole and window.host.setup.camera.rig.one_camera
-    qtbot.waitUntil(lambda: window.host.snapshot().frame is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: window.host.snapshot().frame is not None)
     frame = window.host.snapshot().frame
     assert frame.left.shape == (720, 1280, 3) and frame.right is None
     assert _done(window, "Camera calibrated")
-    qtbot.waitUntil(lambda: window.cameras.right.isHidden(), timeout=30_000)
+    qtbot.waitUntil(lambda: window.cameras.right.isHidden())
     assert not window.cameras.left.isHidden()
 
 
 def test_a_camera_without_glove_or_calibration_gives_its_images(window, qtbot, store, film):
     store.update(port="", camera=str(film), calibration="")
     window.sources.open_devices()
-    qtbot.waitUntil(lambda: window.host.running, timeout=60_000)
-    qtbot.waitUntil(lambda: _done(window, "Camera found"), timeout=30_000)
+    qtbot.waitUntil(lambda: window.host.running)
+    qtbot.waitUntil(lambda: _done(window, "Camera found"))
     assert shows(window.banner.text(), "window.no_glove")
     assert not _done(window, "Glove found") and not _done(window, "Camera calibrated")
     view = window.host.snapshot()
@@ -192,7 +190,7 @@ def test_a_camera_without_glove_or_calibration_gives_its_images(window, qtbot, s
 
 
 def test_a_device_that_disappears_changes_its_row_within_a_second(connected, qtbot, device):
-    qtbot.waitUntil(lambda: _done(connected, "All IMUs respond"), timeout=30_000)
+    qtbot.waitUntil(lambda: _done(connected, "All IMUs respond"))
     device.unplug()
     looked = [time.monotonic()]
 
@@ -210,7 +208,7 @@ def test_a_device_that_disappears_changes_its_row_within_a_second(connected, qtb
 
 
 def test_stop_clears_live_data(connected, qtbot):
-    qtbot.waitUntil(lambda: connected.host.snapshot().frame is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: connected.host.snapshot().frame is not None)
     connected.host.stop()
     view = connected.host.snapshot()
     assert view.frame is None and view.estimate is None and len(view.imu) == 0
@@ -220,8 +218,8 @@ def test_stop_clears_live_data(connected, qtbot):
 def test_the_board_wizard_accepts_an_uncalibrated_camera(window, qtbot, store, film):
     store.update(port="", camera=str(film), calibration="")
     window.sources.open_devices()
-    qtbot.waitUntil(lambda: window.host.running, timeout=60_000)
-    qtbot.waitUntil(lambda: window.host.snapshot().frame is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: window.host.running)
+    qtbot.waitUntil(lambda: window.host.snapshot().frame is not None)
     in_use = image_choices(window.host, store.value, [])[0]
     assert in_use.title == "Camera in use"
     assert in_use.make(BoardSpec()).read()[0].shape == (720, 1280, 3)
@@ -234,9 +232,9 @@ def test_a_camera_that_does_not_match_is_shown_and_calibrated(window, qtbot, sto
     save_calibration(path, Intrinsics(640, 480, K, np.zeros(5)))
     store.update(port="", camera=f"one:{film}", calibration=str(path))
     window.sources.open_devices()
-    qtbot.waitUntil(lambda: window.host.running, timeout=60_000)
+    qtbot.waitUntil(lambda: window.host.running)
     why = "but its calibration is for 640 by 480."
-    qtbot.waitUntil(lambda: why in window.cameras.left._placeholder, timeout=30_000)
+    qtbot.waitUntil(lambda: why in window.cameras.left._placeholder)
     view = window.host.snapshot()
     step = next(s for s in steps(view) if s.name == "Camera found")
     assert why in step.reason and step.command == "stereo"

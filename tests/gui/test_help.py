@@ -71,7 +71,7 @@ def test_a_chip_without_space_is_elided_at_a_letter(qtbot):
     assert label.is_elided and label.shown().endswith("…")
     assert label.fontMetrics().horizontalAdvance(label.shown()) <= label.width()
     chip.resize(400, 20)
-    qtbot.waitUntil(lambda: not label.is_elided, timeout=30_000)
+    qtbot.waitUntil(lambda: not label.is_elided)
     assert label.shown() == label.text()
 
 
@@ -87,11 +87,11 @@ def test_a_glove_alone_has_not_lost_a_position(window, qtbot, placed, values, wo
     engine = ScriptedEngine()
     engine.status = lambda: Status(0.0, int(Tracking.LOST), values)
     window.host.adopt(with_camera(scripted_setup(engine), present=placed))
-    qtbot.waitUntil(lambda: window.bar.tracking.text() == words, timeout=30_000)
+    qtbot.waitUntil(lambda: window.bar.tracking.text() == words)
     assert tracking_look(None, True, placed).word == "Stopped"
 
 
 def test_the_status_bar_shows_the_refresh_rate(live, qtbot):
-    qtbot.waitUntil(lambda: "times a second" in live.bar.tracking.toolTip(), timeout=30_000)
+    qtbot.waitUntil(lambda: "times a second" in live.bar.tracking.toolTip())
     rate = int(re.search(r"\d+", live.bar.tracking.toolTip())[0])
     assert 0 < rate <= 63  # the timer's 16 ms allow no more

@@ -83,7 +83,7 @@ def test_the_positions_give_the_errors_of_the_simulated_imus(dialog, engine, win
     qtbot.mouseClick(dialog.lead.start, Qt.MouseButton.LeftButton)
     assert measured(dialog, engine) == list(POSITION_NAMES)
     assert engine.shown == [*POSITION_NAMES, ""] and engine.now < 60.0
-    qtbot.waitUntil(dialog.outcome.save.isEnabled, timeout=30_000)
+    qtbot.waitUntil(dialog.outcome.save.isEnabled)
     assert dialog.outcome.table.rowCount() == IMUS
     qtbot.mouseClick(dialog.outcome.save, Qt.MouseButton.LeftButton)
     assert reopened and engine.shown[-1] == "" and "imu_positions" not in window.set_up.dialogs

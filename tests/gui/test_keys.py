@@ -9,6 +9,7 @@ from app.viewmodels.colour_picks import factory_colours
 from app.window.commands import is_single
 from app.window.docks import fit_to_screen
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
+from tests.gui.patience import settled
 
 
 @pytest.fixture
@@ -66,10 +67,10 @@ def test_a_panels_key_shows_it_and_never_hides_it(active, qtbot):
 
 
 def test_the_banner_shifts_nothing_is_logged_once_and_disappears_with_its_reason(active, qtbot):
-    QApplication.processEvents()
+    settled(active, qtbot)
     before = {name: dock.geometry() for name, dock in active.docks.items()}
     active.messages.say("A sentence that is so long that it needs two lines. " * 5, about="devices")
-    QApplication.processEvents()
+    settled(active, qtbot)
     assert active.banner.isVisible()
     assert {name: dock.geometry() for name, dock in active.docks.items()} == before
     lines = [active.log.list.item(i).text() for i in range(active.log.list.count())]
@@ -84,7 +85,7 @@ def test_a_banner_about_missing_devices_leads_to_the_set_up(window, qtbot, monke
     monkeypatch.setattr("app.engines.found_gloves.serial_ports", list)
     monkeypatch.setattr("app.engines.camera_choice.all_cameras", list)
     window.sources.open_devices()
-    qtbot.waitUntil(lambda: "No glove was found" in window.banner.text(), timeout=60_000)
+    qtbot.waitUntil(lambda: "No glove was found" in window.banner.text())
     assert window.banner.buttons[0].isVisible()
     window.banner.buttons[0].click()
     assert window.docks["checklist"].isVisible() and not window.banner.isVisible()

@@ -8,10 +8,10 @@ from PySide6.QtCore import QSize
 from PySide6.QtWidgets import QToolButton
 
 from app.window.contributions import panel_kinds
-from app.window.docks import DockShares
 from app.window.layouts import jobs_for, shares_of
 from app.window.main_window import MainWindow
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
+from tests.gui.patience import settled
 from tracker.offline.simulate import SimulateOptions, simulate
 
 JOB_OF = jobs_for(panel_kinds())
@@ -25,7 +25,7 @@ CLOSE = 0.03
 def watched(window, qtbot):
     window.layouts.choose("watch")
     window.host.adopt(scripted_setup(ScriptedEngine()))
-    qtbot.wait(50)
+    settled(window, qtbot)
     return window
 
 
@@ -35,8 +35,7 @@ def in_sight(window) -> set[str]:
 
 def size_to(window, size, qtbot) -> None:
     window.resize(*size)
-    qtbot.waitUntil(lambda: not window.findChild(DockShares)._rest.isActive(), timeout=30_000)
-    qtbot.wait(50)
+    settled(window, qtbot)
 
 
 @pytest.mark.parametrize("job", JOBS, ids=lambda job: job.name)
@@ -63,7 +62,7 @@ def test_review_shows_more_than_one_session_next_to_the_transport(watched, qtbot
     watched.layouts.choose("look")
     size_to(watched, SMALL, qtbot)
     watched.library.transport.show()
-    qtbot.wait(50)
+    settled(watched, qtbot)
     table = watched.library.table
     assert table.viewport().height() >= 2 * table.verticalHeader().defaultSectionSize()
     for button in watched.library.buttons.values():
@@ -92,7 +91,7 @@ def test_a_layout_saved_on_a_small_screen_is_the_same_on_a_large_one_and_back(wa
     for size in (LARGE, SMALL):
         size_to(watched, size, qtbot)
         watched.layouts.named.apply("mine")
-        qtbot.wait(50)
+        settled(watched, qtbot)
         after = shares_of(watched, watched.docks)
         assert after.keys() == before.keys()
         for name, share in before.items():
@@ -114,7 +113,7 @@ def test_a_removed_and_restored_panel_has_its_earlier_share(watched, qtbot):
     before = shares_of(watched, watched.docks)
     cameras = watched.docks["cameras"]
     cameras.setFloating(True)
-    qtbot.waitUntil(lambda: shares_of(watched, watched.docks).keys() == {"hand"}, timeout=10_000)
+    qtbot.waitUntil(lambda: shares_of(watched, watched.docks).keys() == {"hand"})
     cameras.setFloating(False)
 
     def is_back() -> bool:
@@ -123,7 +122,7 @@ def test_a_removed_and_restored_panel_has_its_earlier_share(watched, qtbot):
             now[name] == pytest.approx(before[name], abs=CLOSE) for name in before
         )
 
-    qtbot.waitUntil(is_back, timeout=10_000)
+    qtbot.waitUntil(is_back)
 
 
 def test_a_task_is_restored_as_it_was_left_and_can_be_reset(watched):
@@ -213,8 +212,8 @@ def session(simulated, tmp_path):
 
 def open_replay_of(window, session, qtbot) -> None:
     window.library.replay.emit(session)
-    qtbot.waitUntil(lambda: "Replay of" in window.windowTitle(), timeout=60_000)
-    qtbot.wait(50)
+    qtbot.waitUntil(lambda: "Replay of" in window.windowTitle())
+    settled(window, qtbot)
 
 
 def front_tabs(window, job) -> list[bool]:
@@ -233,7 +232,7 @@ def test_a_replay_opens_in_the_review_layout_and_live_returns_to_the_previous_on
     for name in ("cameras", "hand", "library"):
         assert not watched.docks[name].visibleRegion().isEmpty(), name
     watched.host.adopt(scripted_setup(ScriptedEngine()))
-    qtbot.wait(50)
+    settled(watched, qtbot)
     assert watched.store.value.job == job
     assert in_sight(watched) == JOB_OF[job].shown
     assert all(front_tabs(watched, JOB_OF[job]))
@@ -247,10 +246,10 @@ def test_after_a_replay_opened_first_the_layout_has_its_default_proportions(
     open_replay_of(window, session, qtbot)
     assert store.value.job == "look"
     window.host.adopt(scripted_setup(ScriptedEngine()))
-    qtbot.wait(300)
+    settled(window, qtbot)
     after = shares_of(window, window.docks)
     window.layouts.reset()
-    qtbot.wait(300)
+    settled(window, qtbot)
     usual = shares_of(window, window.docks)
     assert store.value.job == "set_up" and after.keys() == usual.keys()
     for name, share in usual.items():
@@ -293,11 +292,11 @@ def test_panels_shown_by_messages_and_commands_do_not_remain_in_the_layout(watch
     before = shares_of(watched, watched.docks)
     for panel in ("library", "checklist", "log"):
         watched.show_panel(panel)
-        qtbot.wait(20)
+        settled(watched, qtbot)
         assert not watched.docks[panel].visibleRegion().isEmpty(), panel
     watched.layouts.choose("all")
     watched.layouts.choose(job.name)
-    qtbot.wait(50)
+    settled(watched, qtbot)
     assert in_sight(watched) == job.shown
     assert all(front_tabs(watched, job))
     after = shares_of(watched, watched.docks)

@@ -56,7 +56,7 @@ def library(window, store, recorded, qtbot, tmp_path):
     shutil.copy(recorded, folder / "P01_pinch.mcap")
     window.recording.set_folder(folder)
     window.library.rescan()
-    qtbot.waitUntil(lambda: window.library.selected() is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: window.library.selected() is not None)
     return window.library
 
 
@@ -64,13 +64,13 @@ def library(window, store, recorded, qtbot, tmp_path):
 def replayed(library, window, qtbot):
     """The session opened by its button, paused once the hand has been found."""
     qtbot.mouseClick(library.buttons["replay"], Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: window.host.running, timeout=20_000)
+    qtbot.waitUntil(lambda: window.host.running)
     window.docks["library"].raise_()
     player = window.host.setup.player
     window.run_command("play")
     player.seek(1.5)
-    qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=20_000)
-    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=20_000)
+    qtbot.waitUntil(lambda: window.hand._scene is not None)
+    qtbot.waitUntil(lambda: not window.tasks.tasks)
     return library
 
 
@@ -87,7 +87,7 @@ def ended(library) -> bool:
 
 def test_a_row_shows_length_integrity_and_quality(library, qtbot):
     quality = library.table.item(0, 5)
-    qtbot.waitUntil(lambda: "tracked" in quality.text(), timeout=20_000)
+    qtbot.waitUntil(lambda: "tracked" in quality.text())
     share = int(quality.text().split("tracked ")[1].split(" ")[0])
     with SessionReader(library.selected().path) as reader:
         states = [m.tracking == 1 for m in reader.messages((Estimate,))]
@@ -102,14 +102,14 @@ def test_the_timeline_is_dragged_and_stepped(replayed, window, qtbot):
     y = int(line.height() * 0.3)
     qtbot.mousePress(line, Qt.MouseButton.LeftButton, pos=QPoint(int(line.x_of(1.0)), y))
     qtbot.mouseRelease(line, Qt.MouseButton.LeftButton, pos=QPoint(int(line.x_of(1.0)), y))
-    qtbot.waitUntil(lambda: player.position == pytest.approx(1.0, abs=0.08), timeout=10_000)
-    qtbot.waitUntil(lambda: player.images_due == 0, timeout=10_000)
+    qtbot.waitUntil(lambda: player.position == pytest.approx(1.0, abs=0.08))
+    qtbot.waitUntil(lambda: player.images_due == 0)
     before = window.host.snapshot().frame.index
     line.setFocus()
     qtbot.keyClick(line, Qt.Key.Key_Right)
-    qtbot.waitUntil(lambda: window.host.snapshot().frame.index == before + 1, timeout=10_000)
+    qtbot.waitUntil(lambda: window.host.snapshot().frame.index == before + 1)
     qtbot.keyClick(line, Qt.Key.Key_Left)
-    qtbot.waitUntil(lambda: window.host.snapshot().frame.index == before, timeout=10_000)
+    qtbot.waitUntil(lambda: window.host.snapshot().frame.index == before)
 
 
 def test_in_and_out_points_limit_replay_and_export(replayed, window, qtbot, tmp_path):
@@ -125,7 +125,7 @@ def test_in_and_out_points_limit_replay_and_export(replayed, window, qtbot, tmp_
     assert dialog.range.isChecked()
     dialog.folder.setText(str(tmp_path))
     press(qtbot, dialog)
-    qtbot.waitUntil(lambda: ended(replayed), timeout=30_000)
+    qtbot.waitUntil(lambda: ended(replayed))
     [item] = replayed.exports.items
     assert item.look == DONE, item.problem
     with item.request.target.open() as file:
@@ -156,14 +156,14 @@ def test_exports_are_queued_and_can_be_cancelled(qtbot, tmp_path, monkeypatch, n
         queue.add(ExportRequest(tmp_path / "a.mcap", form, tmp_path / f"a.{form}"))
         for form in names
     )
-    qtbot.waitUntil(lambda: first.share == 0.5, timeout=10_000)
+    qtbot.waitUntil(lambda: first.share == 0.5)
     assert [i.look for i in (second, bad, last)] == [WAITING] * 3
     queue.cancel(last)
     queue.cancel(first)
-    qtbot.waitUntil(lambda: second.share == 0.5, timeout=10_000)
+    qtbot.waitUntil(lambda: second.share == 0.5)
     assert first.look == CANCELLED
     go.set()
-    qtbot.waitUntil(lambda: not any(i.open for i in queue.items), timeout=10_000)
+    qtbot.waitUntil(lambda: not any(i.open for i in queue.items))
     assert [i.look for i in queue.items] == [CANCELLED, DONE, FAILED, CANCELLED]
     assert "the disk is away" in bad.problem
     queue.forget_ended()
@@ -209,12 +209,12 @@ def test_a_new_tracking_is_shown_and_compared(replayed, window, qtbot):
         other = {round(m.t, 6): m for m in reader.messages((Estimate,))}
     player = window.host.setup.player
     player.seek(2.0)
-    qtbot.waitUntil(lambda: player.position >= 2.0 and player.images_due == 0, timeout=10_000)
+    qtbot.waitUntil(lambda: player.position >= 2.0 and player.images_due == 0)
     view = window.host.snapshot()
     wanted = other[round(view.estimate.t, 6)]
     assert view.reference().p_GB == pytest.approx(wanted.segment_p, abs=1e-6)
     assert window.hand.controls.shown().reference
-    qtbot.waitUntil(lambda: replayed.table.rowCount() == 2, timeout=10_000)
+    qtbot.waitUntil(lambda: replayed.table.rowCount() == 2)
 
 
 def test_a_truncated_session_is_recovered_by_its_button(library, window, qtbot):
@@ -223,10 +223,10 @@ def test_a_truncated_session_is_recovered_by_its_button(library, window, qtbot):
     path.write_bytes(data[: len(data) * 2 // 3])
     library.rescan()
     recover = library.buttons["recover"]
-    qtbot.waitUntil(recover.isEnabled, timeout=10_000)
+    qtbot.waitUntil(recover.isEnabled)
     assert "interrupted" in library.table.item(0, 4).text()
     qtbot.mouseClick(recover, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: library.table.rowCount() == 2, timeout=20_000)
+    qtbot.waitUntil(lambda: library.table.rowCount() == 2)
     made = path.with_name("P01_pinch_recovered.mcap")
     with SessionReader(made) as reader:
         assert reader.source.contents.finished
@@ -260,9 +260,9 @@ def test_obsolete_settings_of_a_recording_are_reported_and_ignored(recorded, tmp
 def test_a_file_put_into_the_folder_appears_automatically(library, recorded, qtbot):
     folder = library.selected().path.parent
     shutil.copy(recorded, folder / "brought.mcap")
-    qtbot.waitUntil(lambda: library.table.rowCount() == 2, timeout=20_000)
+    qtbot.waitUntil(lambda: library.table.rowCount() == 2)
     (folder / "brought.mcap").unlink()
-    qtbot.waitUntil(lambda: library.table.rowCount() == 1, timeout=20_000)
+    qtbot.waitUntil(lambda: library.table.rowCount() == 1)
 
 
 @pytest.mark.styled

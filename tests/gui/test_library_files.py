@@ -50,8 +50,8 @@ def folder(tmp_path, tracked, store):
 @pytest.fixture
 def library(folder, window, qtbot):
     window.show_panel("library")
-    qtbot.waitUntil(lambda: window.library.table.rowCount() == len(NAMES), timeout=20_000)
-    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=20_000)
+    qtbot.waitUntil(lambda: window.library.table.rowCount() == len(NAMES))
+    qtbot.waitUntil(lambda: not window.tasks.tasks)
     return window.library
 
 
@@ -95,7 +95,7 @@ def test_a_report_of_the_selected_takes_is_shown(library, window, folder, qtbot)
     QDesktopServices.setUrlHandler("file", browser, "show")
     try:
         library.page.actions_of["report"].trigger()
-        qtbot.waitUntil(lambda: len(browser.urls) == 1, timeout=60_000)
+        qtbot.waitUntil(lambda: len(browser.urls) == 1)
     finally:
         QDesktopServices.unsetUrlHandler("file")
     assert browser.urls[0].toLocalFile() == str(page)
@@ -110,7 +110,7 @@ def test_tags_are_stored_next_to_the_session_and_found(library, window, folder, 
     select(library, "P01_fist")
     library.page.actions_of["tags"].trigger()
     answer(window, "good,  left hand , good")
-    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=20_000)
+    qtbot.waitUntil(lambda: not window.tasks.tasks)
     assert read_tags(path) == ("good", "left hand")
     assert hashlib.sha256(path.read_bytes()).hexdigest() == before
     library.page.search.setText("good")
@@ -129,7 +129,7 @@ def test_a_session_is_renamed_with_its_tags(library, window, folder, qtbot):
     library.table.setFocus()
     library.page.actions_of["rename"].trigger()
     answer(window, "P02 grasp")
-    qtbot.waitUntil(lambda: "P02-grasp" in shown(library), timeout=20_000)
+    qtbot.waitUntil(lambda: "P02-grasp" in shown(library))
     assert read_tags(folder / "P02-grasp.mcap") == ("keep",)
     assert not (folder / "P02_pinch.mcap").exists()
     library.files.rename(folder / "P01_fist.mcap", "P01_pinch")
@@ -142,11 +142,11 @@ def test_a_renamed_session_remains_selected_and_a_removed_one_moves_no_selection
     """Tags and the bin would apply to another session otherwise."""
     select(library, "P02_pinch")
     library.files.rename(folder / "P02_pinch.mcap", "Z9_last")
-    qtbot.waitUntil(lambda: shown(library) == {"P01_fist", "P01_pinch", "Z9_last"}, timeout=20_000)
+    qtbot.waitUntil(lambda: shown(library) == {"P01_fist", "P01_pinch", "Z9_last"})
     assert [row.name for row in library.table.selected()] == ["Z9_last"]
     (folder / "Z9_last.mcap").unlink()
     library.rescan()
-    qtbot.waitUntil(lambda: shown(library) == {"P01_fist", "P01_pinch"}, timeout=20_000)
+    qtbot.waitUntil(lambda: shown(library) == {"P01_fist", "P01_pinch"})
     assert library.table.selected() == []
 
 
@@ -179,7 +179,7 @@ def test_sessions_are_moved_to_the_bin_after_confirmation_and_restored_by_undo(
     select(library, "P01_fist", "P02_pinch")
     library.table.setFocus()
     qtbot.keyClick(library.table, Qt.Key.Key_Delete)
-    qtbot.waitUntil(lambda: shown(library) == {"P01_pinch"}, timeout=20_000)
+    qtbot.waitUntil(lambda: shown(library) == {"P01_pinch"})
     names = {"P01_fist.mcap", "P01_fist.tags.json", "P02_pinch.mcap"}
     assert {p.name for p in (trash / "files").iterdir()} == names
     assert window.banner.text() == "2 recordings moved to the trash."
@@ -191,7 +191,7 @@ def test_sessions_are_moved_to_the_bin_after_confirmation_and_restored_by_undo(
     undo = window.banner.buttons[0]
     assert undo.text() == "Undo"
     qtbot.mouseClick(undo, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: shown(library) == set(NAMES), timeout=20_000)
+    qtbot.waitUntil(lambda: shown(library) == set(NAMES))
     assert {row.name for row in library.table.selected()} == {"P01_fist", "P02_pinch"}
     assert read_tags(folder / "P01_fist.mcap") == ("x",)
     assert list((trash / "files").iterdir()) == [] and list((trash / "info").iterdir()) == []
@@ -215,7 +215,7 @@ def test_a_session_is_preserved_on_a_system_without_a_bin(library, window, folde
 
 def test_open_sessions_are_neither_renamed_nor_deleted(library, window, folder, qtbot):
     window.sources.open_session(folder / "P01_fist.mcap")
-    qtbot.waitUntil(lambda: window.host.running, timeout=30_000)
+    qtbot.waitUntil(lambda: window.host.running)
     for work in (
         lambda: library.files.bin([folder / "P01_fist.mcap"]),
         lambda: library.files.rename(folder / "P01_fist.mcap", "other"),
@@ -272,7 +272,7 @@ def test_an_open_session_from_any_folder_is_exported_in_several_formats(
 ):
     """It is outside the library's folder, and another one is selected there."""
     window.sources.open_session(tracked)
-    qtbot.waitUntil(lambda: window.host.running, timeout=30_000)
+    qtbot.waitUntil(lambda: window.host.running)
     select(library, "P01_pinch")
     window.setFocus()
     window.run_command("export")
@@ -286,7 +286,7 @@ def test_an_open_session_from_any_folder_is_exported_in_several_formats(
     out.mkdir()
     dialog.folder.setText(str(out))
     press_export(qtbot, dialog)
-    qtbot.waitUntil(lambda: ended(library), timeout=30_000)
+    qtbot.waitUntil(lambda: ended(library))
     assert [i.look for i in library.exports.items] == [DONE, DONE]
     assert (out / "tracked.csv").exists() and (out / "tracked.trc").exists()
     stored = SettingsStore(store.path).value
@@ -380,14 +380,14 @@ def test_unreadable_tags_are_ignored(tmp_path):
 
 def test_the_selected_part_becomes_a_session(library, window, folder, qtbot):
     window.sources.open_session(folder / "P01_fist.mcap")
-    qtbot.waitUntil(lambda: window.host.running, timeout=30_000)
+    qtbot.waitUntil(lambda: window.host.running)
     window.run_command("crop")
     assert "Mark a range first" in window.banner.text()
     window.host.setup.player.set_range(0.4, 1.1)
     window.run_command("crop")
     made = folder / "P01_fist_crop.mcap"
-    qtbot.waitUntil(lambda: made.name in window.banner.text(), timeout=30_000)
-    qtbot.waitUntil(lambda: made.stem in shown(library), timeout=20_000)
+    qtbot.waitUntil(lambda: made.name in window.banner.text())
+    qtbot.waitUntil(lambda: made.stem in shown(library))
     with SessionReader(made) as reader:
         assert reader.duration == pytest.approx(0.7, abs=0.04)
         assert len(reader.engine_states()) == 1

@@ -9,6 +9,7 @@ from app.viewmodels.checklist import steps
 from app.viewmodels.light import EVERY, KEPT, LightWatch
 from app.viewmodels.states import GOOD, IDLE, WARN
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
+from tests.gui.patience import settled
 from tracker.base.notices import notice, warning
 from tracker.calibration.light_meter import Advice, LightMeter
 from tracker.glove import library
@@ -76,6 +77,6 @@ def test_another_text_for_the_light_does_not_move_the_layout(live, qtbot):
     chip, places = live.colours.light.chip, []
     for word in ("good", "colours in background, markers missed"):
         chip.show_state("", "●", word)
-        qtbot.wait(20)
+        settled(live, qtbot)
         places.append((live.colours.tools.geometry(), live.colours.light.geometry()))
     assert places[0] == places[1]

@@ -24,7 +24,7 @@ def motion(live, qtbot):
     """The panel in front, with numbers."""
     live.show_panel("motion")
     panel = live.motion
-    qtbot.waitUntil(panel.isVisible, timeout=10_000)
+    qtbot.waitUntil(panel.isVisible)
     panel.refresh(live.host.snapshot())
     return panel
 
@@ -105,9 +105,7 @@ def test_a_replay_shows_the_whole_take_and_a_click_jumps(window, qtbot, tmp_path
     window.host.adopt(open_replay(tracked, lambda *_: None))
     window.show_panel("motion")
     motion = window.motion
-    qtbot.waitUntil(
-        lambda: motion.model is not None and motion.model.take is not None, timeout=30_000
-    )
+    qtbot.waitUntil(lambda: motion.model is not None and motion.model.take is not None)
     with SessionReader(tracked) as reader:
         take = read_take(reader)
     row = motion.table.chosen[0]
@@ -119,7 +117,7 @@ def test_a_replay_shows_the_whole_take_and_a_click_jumps(window, qtbot, tmp_path
     assert shown == pytest.approx(np.rad2deg(swing), abs=0.06)
     player = window.host.setup.player
     player.play(False)
-    qtbot.waitUntil(lambda: motion.plot.at.isVisible(), timeout=10_000)
+    qtbot.waitUntil(lambda: motion.plot.at.isVisible())
 
     class Click:
         def __init__(self, x: float) -> None:
@@ -130,8 +128,8 @@ def test_a_replay_shows_the_whole_take_and_a_click_jumps(window, qtbot, tmp_path
             return self._at
 
     motion.plot._clicked(Click(2.0))
-    qtbot.waitUntil(lambda: abs(player.position - 2.0) < 0.1, timeout=10_000)
-    qtbot.waitUntil(lambda: abs(motion.plot.at.value() - 2.0) < 0.1, timeout=10_000)
+    qtbot.waitUntil(lambda: abs(player.position - 2.0) < 0.1)
+    qtbot.waitUntil(lambda: abs(motion.plot.at.value() - 2.0) < 0.1)
     motion.save_table(tmp_path / "motion.csv")
     read = list(csv.DictReader((tmp_path / "motion.csv").open()))
     assert read[row]["name"] == motion.model.names[row]

@@ -57,7 +57,7 @@ def test_record_command_creates_a_named_file_and_a_second_press_ends_it(recordin
 def test_a_note_is_written_to_the_file(recording, recorders, qtbot):
     QTest.keyClicks(recording.recording.note_text, "gripped the cup\r")
     assert [m.text for m in recorders[0].messages if isinstance(m, Event)] == ["gripped the cup"]
-    qtbot.waitUntil(lambda: recording.log.model.entries("note", "gripped") != [], timeout=30_000)
+    qtbot.waitUntil(lambda: recording.log.model.entries("note", "gripped") != [])
 
 
 def test_the_panel_shows_written_and_lost_messages(recording, engine, qtbot):
@@ -65,7 +65,7 @@ def test_the_panel_shows_written_and_lost_messages(recording, engine, qtbot):
     for _ in range(7):
         engine.recorder.write(engine.latest_estimate())
     shown = recording.recording.messages_label
-    qtbot.waitUntil(lambda: shown.text().startswith("7  ("), timeout=30_000)
+    qtbot.waitUntil(lambda: shown.text().startswith("7  ("))
     assert recording.recording.losses_label.text() == "0 packets, 0 images not recorded"
 
 
@@ -200,10 +200,10 @@ def test_start_after_stop_builds_a_new_engine(window, qtbot):
         return scripted_setup(made[-1])
 
     window.host.open("first", factory)
-    qtbot.waitUntil(lambda: window.host.running, timeout=30_000)
+    qtbot.waitUntil(lambda: window.host.running)
     window.host.stop()
     window.host.start()
-    qtbot.waitUntil(lambda: len(made) == 2 and window.host.running, timeout=30_000)
+    qtbot.waitUntil(lambda: len(made) == 2 and window.host.running)
     assert made[0].stopped == 1 and made[1].started == 1
 
 
@@ -379,5 +379,5 @@ def test_messages_leave_the_record_button_visible(live, qtbot):
         place = QRect(button.mapTo(live, QPoint(0, 0)), button.size())
         return not place.intersects(live.messages.geometry())
 
-    qtbot.waitUntil(is_free, timeout=10_000)
+    qtbot.waitUntil(is_free)
     assert not button.visibleRegion().isEmpty()

@@ -43,7 +43,7 @@ def open_at(window, qtbot, name: str) -> int:
     box = window.panels["streams"].remote
     box.ports[name].setValue(port)
     box.boxes[name].click()
-    qtbot.waitUntil(lambda: window.remote.counts(name) is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: window.remote.counts(name) is not None)
     return port
 
 
@@ -52,7 +52,7 @@ def meanwhile(qtbot, work):
     out = []
     thread = threading.Thread(target=lambda: out.append(work()))
     thread.start()
-    qtbot.waitUntil(lambda: not thread.is_alive(), timeout=15_000)
+    qtbot.waitUntil(lambda: not thread.is_alive())
     return out[0]
 
 
@@ -127,7 +127,7 @@ def test_a_note_has_its_arrival_time_even_if_the_window_was_busy(window, engine,
         qtbot.waitUntil(lambda: bool(window.host.notes.current))
         (note,) = window.host.notes.current.values()
         assert note.t <= arrived + 0.001
-        client.settimeout(5)
+        client.settimeout(60)
         assert json.loads(client.recv(9999))["ok"]
 
 
@@ -155,14 +155,14 @@ def test_osc_and_web_socket_control_it_too(window, engine, qtbot):
 
     def by_osc():
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
-            client.settimeout(10)
+            client.settimeout(60)
             client.sendto(OscMessageBuilder("/glovetrack/start").build().dgram, (HERE, osc))
             return OscMessage(client.recv(9999))
 
     def by_page():
         with connect(f"ws://{HERE}:{web}/") as page:
             page.send("stop")
-            return json.loads(page.recv(timeout=10))
+            return json.loads(page.recv(timeout=60))
 
     answer = meanwhile(qtbot, by_osc)
     assert answer.params[:2] == ["start", 1]
@@ -208,7 +208,7 @@ def test_a_contact_vibrates_while_it_lasts_and_is_recorded(window, engine, qtbot
         ("contact", "end", "cup"),
     ]
     say(1.0)  # and its end is not reported
-    qtbot.waitUntil(lambda: len(recorded) == 4, timeout=20_000)
+    qtbot.waitUntil(lambda: len(recorded) == 4)
     assert recorded[-1].data["phase"] == "end"
 
 
@@ -226,16 +226,16 @@ def test_contacts_and_vibration_work_by_osc_and_by_web_socket(window, engine, qt
         for value in ("index", 1.0, "cup"):
             message.add_arg(value)
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
-            client.settimeout(10)
+            client.settimeout(60)
             client.sendto(message.build().dgram, (HERE, osc))
             return OscMessage(client.recv(9999)).params
 
     def by_page():
         with connect(f"ws://{HERE}:{web}/") as page:
             page.send('{"do": "contact", "finger": "index", "strength": 0, "object": "cup"}')
-            ended = json.loads(page.recv(timeout=10))
+            ended = json.loads(page.recv(timeout=60))
             page.send("vibrate little")
-            return ended, json.loads(page.recv(timeout=10))
+            return ended, json.loads(page.recv(timeout=60))
 
     assert meanwhile(qtbot, by_osc)[:3] == ["contact", 1, "The index touches cup."]
     ended, vibrated = meanwhile(qtbot, by_page)
@@ -251,11 +251,9 @@ def test_open_interfaces_are_restored_with_a_warning_if_external(window, qtbot, 
     box.address.setText("0.0.0.0")
     box.address.editingFinished.emit()
     assert box.opened.isVisibleTo(window.panels["streams"])
-    qtbot.waitUntil(lambda: "0.0.0.0" in box.cells["udp"]["state"].toolTip(), timeout=10_000)
+    qtbot.waitUntil(lambda: "0.0.0.0" in box.cells["udp"]["state"].toolTip())
     box.boxes["udp"].click()
-    qtbot.waitUntil(
-        lambda: not [t for t in threading.enumerate() if "remote" in t.name], timeout=10_000
-    )
+    qtbot.waitUntil(lambda: not [t for t in threading.enumerate() if "remote" in t.name])
 
 
 def test_a_port_in_use_is_reported_in_the_panel(window, qtbot):
@@ -263,7 +261,7 @@ def test_a_port_in_use_is_reported_in_the_panel(window, qtbot):
         taken.bind((HERE, 0))
         window.remote.set_port("udp", taken.getsockname()[1])
         window.remote.switch("udp", True)
-        qtbot.waitUntil(lambda: "udp" in window.remote.problems, timeout=10_000)
+        qtbot.waitUntil(lambda: "udp" in window.remote.problems)
     cells = window.panels["streams"].remote.cells["udp"]
     assert "not open" in cells["state"].text() and shows(
         cells["state"].toolTip(), "remote.not_started"
@@ -275,7 +273,7 @@ def test_the_command_line_opens_interfaces_for_one_run(window, qtbot):
         s.bind((HERE, 0))
         port = s.getsockname()[1]
     window.remote.use(f"udp:{port}")
-    qtbot.waitUntil(lambda: window.remote.counts("udp") is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: window.remote.counts("udp") is not None)
     assert window.panels["streams"].remote.boxes["udp"].isChecked()
     assert window.store.value.remote == {}, "the next start is as it was"
 
@@ -286,7 +284,7 @@ def said_to(qtbot, name: str, words: dict) -> bytes:
     socket.connectToServer(addresses(name)[0])
     socket.write(json.dumps(words).encode() + b"\n")
     gone = QLocalSocket.LocalSocketState.UnconnectedState
-    qtbot.waitUntil(lambda: socket.canReadLine() or socket.state() == gone, timeout=10_000)
+    qtbot.waitUntil(lambda: socket.canReadLine() or socket.state() == gone)
     return bytes(socket.readAll().data())
 
 
@@ -357,7 +355,7 @@ def test_the_command_controls_the_window_of_another_process(tmp_path):
             assert remote("stop").returncode == 1
         finally:
             first.terminate()
-            first.wait(30)
+            first.wait(60)
 
 
 @pytest.mark.parametrize("words", [[], ["dance"], ["note"], ["stop", "--to", "host:x"]])
@@ -379,7 +377,7 @@ def test_the_pose_of_a_tracker_reaches_the_hand_of_its_side(window, engine, qtbo
     port = open_at(window, qtbot, "room")
     with SimpleUDPClient(HERE, port) as client:
         client.send_message("/glovetrack/wrist", ["T", 0.1, 0.2, 1.3, 0.0, 0.0, 0.0, 1.0])
-        qtbot.waitUntil(lambda: bool(placed), timeout=10_000)
+        qtbot.waitUntil(lambda: bool(placed))
     (pose,) = placed
     assert pose.side == window.host.setup.side and pose.p_GT.tolist() == pytest.approx(
         [0.1, 0.2, 1.3]

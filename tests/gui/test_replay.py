@@ -1,5 +1,6 @@
 """Replay of a recorded session: what is shown when, and the transport controls."""
 
+import time
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
@@ -57,7 +58,7 @@ def replay(sessions, qtbot):
     engine = ReplayEngine(sessions["chain"])
     engine.player.play(False)
     engine.start()
-    qtbot.waitUntil(lambda: moment(engine).latest_frame() is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: moment(engine).latest_frame() is not None)
     yield engine
     engine.close()
 
@@ -82,23 +83,23 @@ def test_steps_visit_every_image_and_back(replay, frames, qtbot):
     assert shown(replay) == frames[0].t
     for i in (1, 2, 3):
         replay.player.step(1)
-        qtbot.waitUntil(lambda i=i: shown(replay) == frames[i].t, timeout=10_000)
+        qtbot.waitUntil(lambda i=i: shown(replay) == frames[i].t)
     replay.player.step(5)
-    qtbot.waitUntil(lambda: shown(replay) == frames[8].t, timeout=10_000)
+    qtbot.waitUntil(lambda: shown(replay) == frames[8].t)
     replay.player.step(-1)
-    qtbot.waitUntil(lambda: shown(replay) == frames[7].t, timeout=10_000)
+    qtbot.waitUntil(lambda: shown(replay) == frames[7].t)
     replay.player.step(-6)
-    qtbot.waitUntil(lambda: shown(replay) == frames[1].t, timeout=10_000)
+    qtbot.waitUntil(lambda: shown(replay) == frames[1].t)
     replay.player.step(-20)
-    qtbot.waitUntil(lambda: shown(replay) == frames[0].t, timeout=10_000)
+    qtbot.waitUntil(lambda: shown(replay) == frames[0].t)
 
 
 def test_a_paused_replay_seeks_exactly(replay, frames, qtbot):
     """Its time is exact to the microsecond, with the last image up to then."""
     replay.player.seek(2.0)
     due = [f for f in frames if f.t_arrival - replay.start_t <= 2.0][-1]
-    qtbot.waitUntil(lambda: shown(replay) == due.t, timeout=10_000)
-    qtbot.waitUntil(lambda: replay.player.images_due == 0, timeout=10_000)
+    qtbot.waitUntil(lambda: shown(replay) == due.t)
+    qtbot.waitUntil(lambda: replay.player.images_due == 0)
     assert replay.player.position == 2.0
     estimate = replay.hands.moments["right"].latest_estimate()
     assert estimate is not None and abs(estimate.t - due.t) < 0.1
@@ -126,7 +127,7 @@ def holed_replay(holed, qtbot):
     setup = open_replay(holed, lambda *_: None)
     setup.engine.player.play(False)
     setup.engine.start()
-    qtbot.waitUntil(lambda: moment(setup.engine).latest_estimate() is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: moment(setup.engine).latest_estimate() is not None)
     yield setup
     setup.close()
 
@@ -140,7 +141,6 @@ def arrives(qtbot, engine, position):
             and engine.player.images_due == 0
             and engine.player.position == pytest.approx(position, abs=0.05)
         ),
-        timeout=10_000,
     )
 
 
@@ -151,10 +151,10 @@ def test_a_hole_in_the_recording_is_shown_as_lost(holed_replay, position, is_los
     model = HandSceneModel(holed_replay)
     for before in (0.8, 2.7):
         arrives(qtbot, engine, before)
-        qtbot.waitUntil(lambda: not seen.is_in_hole, timeout=10_000)
+        qtbot.waitUntil(lambda: not seen.is_in_hole)
         assert model.scene(HandLooks().look(holed_replay, True)) is not None
         arrives(qtbot, engine, position)
-        qtbot.waitUntil(lambda: seen.is_in_hole == is_lost, timeout=10_000)
+        qtbot.waitUntil(lambda: seen.is_in_hole == is_lost)
         estimate, status = seen.latest_estimate(), seen.status()
         assert (estimate.tracking == Tracking.LOST) == is_lost == (status.tracking == Tracking.LOST)
         assert (estimate.keypoint_state == Validity.LOST).all() == is_lost
@@ -173,7 +173,7 @@ def test_a_replay_that_plays_into_a_hole_loses_the_hand_and_finds_it_again(holed
         found.append((engine.player.position, seen.is_in_hole))
         return not engine.player.playing
 
-    qtbot.waitUntil(ended, timeout=30_000)
+    qtbot.waitUntil(ended)
     lost = [at for at, is_lost in found if is_lost]
     assert min(lost) == pytest.approx(HOLE[0] + LONGEST_FILLED, abs=0.15)
     assert max(lost) == pytest.approx(HOLE[1], abs=0.15)
@@ -210,10 +210,10 @@ def test_playing_stops_at_the_out_point_and_restarts_at_the_in_point(replay, qtb
     replay.player.set_range(1.6, 1.2)
     assert replay.player.range == (1.2, 1.6)
     replay.player.play(True)
-    qtbot.waitUntil(lambda: not replay.player.playing, timeout=10_000)
+    qtbot.waitUntil(lambda: not replay.player.playing)
     assert replay.player.position == pytest.approx(1.6, abs=0.02)
     replay.player.play(True)
-    qtbot.waitUntil(lambda: replay.player.position < 1.5, timeout=10_000)
+    qtbot.waitUntil(lambda: replay.player.position < 1.5)
     assert replay.player.position >= 1.2 - 1e-9
 
 
@@ -224,19 +224,29 @@ def test_a_loop_repeats(replay, qtbot):
     positions = []
     replay.player.play(True)
     qtbot.waitUntil(
-        lambda: positions.append(replay.player.position) or bool((np.diff(positions) < -0.1).any()),
-        timeout=10_000,
+        lambda: positions.append(replay.player.position) or bool((np.diff(positions) < -0.1).any())
     )
     assert replay.player.playing
     assert max(positions) <= 1.3 + 1e-6
 
 
 def test_speed_is_accurate(replay, qtbot):
+    """Never faster than half of the time that has passed, whenever the computer shows it."""
+    replay.player.play(False)
     replay.player.set_speed(0.5)
     replay.player.seek(0.5)
+    qtbot.waitUntil(lambda: abs(replay.player.position - 0.5) < 0.05)
+    start, began = replay.player.position, time.monotonic()
     replay.player.play(True)
-    qtbot.wait(600)
-    assert 0.5 < replay.player.position < 0.5 + 0.5 * 2.0
+    ahead = []
+
+    def has_played() -> bool:
+        position = replay.player.position
+        ahead.append(position - start - 0.5 * (time.monotonic() - began))
+        return position > 0.8
+
+    qtbot.waitUntil(has_played)
+    assert max(ahead) < 0.05  # an image and a half
 
 
 def test_a_replay_skips_damaged_messages_and_reports_their_number(
@@ -248,14 +258,14 @@ def test_a_replay_skips_damaged_messages_and_reports_their_number(
         engine.start()
         engine.player.set_speed(4.0)
         engine.player.play(True)
-        qtbot.waitUntil(lambda: shown(engine) == frames[-1].t, timeout=20_000)
+        qtbot.waitUntil(lambda: shown(engine) == frames[-1].t)
         errors: list[str] = []
 
         def has_reported_all() -> bool:
             errors.extend(e.text for e in engine.drain_events() if e.kind == "error")
             return bool(errors) and all(f"1 on {topic}" in errors[-1] for topic in topics)
 
-        qtbot.waitUntil(has_reported_all, timeout=20_000)
+        qtbot.waitUntil(has_reported_all)
         assert len(errors) <= 3
     finally:
         engine.close()
@@ -277,9 +287,9 @@ def test_a_session_without_blobs_steps_by_estimates(sessions, qtbot):
     engine.player.play(False)
     engine.start()
     try:
-        qtbot.waitUntil(lambda: moment(engine).latest_estimate() is not None, timeout=10_000)
+        qtbot.waitUntil(lambda: moment(engine).latest_estimate() is not None)
         engine.player.step(1)
-        qtbot.waitUntil(lambda: moment(engine).latest_estimate().t == instants[1], timeout=10_000)
+        qtbot.waitUntil(lambda: moment(engine).latest_estimate().t == instants[1])
         assert not engine.player.playing
     finally:
         engine.close()
@@ -293,15 +303,15 @@ def test_the_other_tracking_is_shown_next_to_this_one(replay, sessions, frames, 
     replay.player.seek(2.5)
     due = [f for f in frames if f.t_arrival - replay.start_t <= 2.5][-1]
     player = replay.player  # it is still when the image is shown and no other is due
-    qtbot.waitUntil(lambda: shown(replay) == due.t and player.images_due == 0, timeout=30_000)
-    qtbot.waitUntil(lambda: replay.player.reference("right") is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: shown(replay) == due.t and player.images_due == 0)
+    qtbot.waitUntil(lambda: replay.player.reference("right") is not None)
     reference = replay.player.reference("right")
     mine = other[round(moment(replay).latest_estimate().t, 6)]
     assert reference.keypoints == pytest.approx(mine.keypoints, abs=1e-9)
     assert reference.p_GB == pytest.approx(mine.segment_p, abs=1e-6)
     assert np.allclose(reference.R_GB, mine.segment_R, atol=1e-6)
     replay.player.set_reference(None)
-    qtbot.waitUntil(lambda: replay.player.reference("right") is None, timeout=10_000)
+    qtbot.waitUntil(lambda: replay.player.reference("right") is None)
 
 
 @pytest.mark.parametrize(("compared", "shown"), [(True, None), (False, "the truth")])
@@ -369,12 +379,12 @@ def test_replayed_events_affect_neither_the_log_nor_live_commands(
     player = window.host.setup.player
     player.seek(0.0)
     player.play(True)
-    qtbot.waitUntil(lambda: player.position > 0.6, timeout=30_000)
+    qtbot.waitUntil(lambda: player.position > 0.6)
     lines = " ".join(entry.line for entry in window.log.model.entries())
     assert "gripped the cup" not in lines and "disk" not in lines
     assert not window.messages.isVisible()
     assert window.windowTitle() == "Replay of noted.mcap – Glovetrack"
-    qtbot.waitUntil(lambda: window.bar.tracking.text().startswith("Replay: "), timeout=10_000)
+    qtbot.waitUntil(lambda: window.bar.tracking.text().startswith("Replay: "))
     for key in ("start", "stop", "record", "note"):
         assert not window.commands.actions[key].isEnabled(), key
 
@@ -392,12 +402,12 @@ def test_a_session_opens_paused_at_an_instant_and_goes_to_another(window, sessio
         return frame is not None and frame[1].t == due.t and at - 0.02 < hand.t <= at + 1e-6
 
     window.sources.open_session(sessions["chain"], 1.5)
-    qtbot.waitUntil(lambda: shows(1.5), timeout=30_000)
+    qtbot.waitUntil(lambda: shows(1.5))
     setup = window.host.setup
     assert setup.player.position == 1.5 and not setup.player.playing
     setup.player.play(True)
     window.sources.open_session(sessions["chain"], 0.75)
-    qtbot.waitUntil(lambda: shows(0.75), timeout=30_000)
+    qtbot.waitUntil(lambda: shows(0.75))
     assert window.host.setup is setup, "it was opened again"
     assert setup.player.position == 0.75 and not setup.player.playing
 

@@ -80,7 +80,7 @@ def test_the_panel_shows_the_colours_of_the_displayed_time_and_keeps_the_users(
 
     def shows(position: float, low: int) -> None:
         setup.player.seek(position)
-        qtbot.waitUntil(lambda: row.values()[0] == low, timeout=30_000)
+        qtbot.waitUntil(lambda: row.values()[0] == low)
         assert window.host.setup.profile.hues[0].saturation[0] == low
 
     for position, low in ((0.5, 90), (1.5, 100), (2.5, 110), (1.5, 100)):
@@ -88,12 +88,12 @@ def test_the_panel_shows_the_colours_of_the_displayed_time_and_keeps_the_users(
     row.low.setValue(77)  # tried on the whole session
     for position in (0.5, 2.5):
         setup.player.seek(position)
-        qtbot.waitUntil(lambda at=position: abs(setup.player.position - at) < 0.2, timeout=30_000)
+        qtbot.waitUntil(lambda at=position: abs(setup.player.position - at) < 0.2)
         qtbot.wait(200)
         assert row.values()[0] == 77
     window.colours.undo()
-    qtbot.waitUntil(lambda: row.values()[0] == 110, timeout=30_000)
+    qtbot.waitUntil(lambda: row.values()[0] == 110)
     window.colours.redo()
     assert row.values()[0] == 77
     window.colours.start_again()
-    qtbot.waitUntil(lambda: row.values()[0] == 110, timeout=30_000)
+    qtbot.waitUntil(lambda: row.values()[0] == 110)

@@ -18,7 +18,7 @@ from tracker.sensors.link_figures import LinkFigures
 @pytest.fixture
 def sensors(live, qtbot):
     live.run_command("show_sensors")
-    qtbot.waitUntil(lambda: "gyro" in live.panels["sensors"]._shown, timeout=30_000)
+    qtbot.waitUntil(lambda: "gyro" in live.panels["sensors"]._shown)
     return live.panels["sensors"]
 
 

@@ -93,7 +93,7 @@ def collect(dialog: StereoWizard, qtbot, views: int) -> None:
     assert dialog.pages.currentIndex() == BOARD
     dialog.next.click()
     assert dialog.pages.currentIndex() == VIEWS and not dialog.next.isEnabled()
-    qtbot.waitUntil(lambda: dialog.collect.list.count() >= views, timeout=60_000)
+    qtbot.waitUntil(lambda: dialog.collect.list.count() >= views)
 
 
 def test_a_board_becomes_a_calibration_that_is_checked_and_saved(wizard, qtbot, window):
@@ -102,25 +102,25 @@ def test_a_board_becomes_a_calibration_that_is_checked_and_saved(wizard, qtbot, 
     dialog.finished_with.connect(lambda path, real: done.append((path, real)))
     collect(dialog, qtbot, 10)
     before = len(dialog.watching.views())
-    qtbot.waitUntil(lambda: "error 0." in dialog.collect.list.item(0).text(), timeout=30_000)
+    qtbot.waitUntil(lambda: "error 0." in dialog.collect.list.item(0).text())
     dialog.collect.list.setCurrentRow(0)
     first = dialog.watching.views()[0]
     dialog.collect.remove.click()
     assert all(v is not first for v in dialog.watching.views()) and before >= 10
     dialog.next.click()
     assert dialog.pages.currentIndex() == RESULT
-    qtbot.waitUntil(dialog.next.isEnabled, timeout=30_000)
+    qtbot.waitUntil(dialog.next.isEnabled)
     assert dialog.outcome.table.rowCount() >= 9
     dialog.next.click()
     assert dialog.pages.currentIndex() == CHECK and not dialog.next.isEnabled()
-    qtbot.waitUntil(dialog.next.isEnabled, timeout=60_000)
+    qtbot.waitUntil(dialog.next.isEnabled)
     assert shows(dialog.check.words.text(), "verify.rows_good")
     assert "Largest corner error" in dialog.check.figures.text()
     dialog.next.click()
     ((path, real),) = done
     assert real and not dialog.isVisible()
     assert load_rig(path).baseline == pytest.approx(0.06, abs=5e-4)
-    qtbot.waitUntil(lambda: source.closed, timeout=30_000)
+    qtbot.waitUntil(lambda: source.closed)
 
 
 def test_one_camera_becomes_a_calibration_too(wizard, qtbot, window):
@@ -128,12 +128,12 @@ def test_one_camera_becomes_a_calibration_too(wizard, qtbot, window):
     dialog, done = wizard(source), []
     dialog.finished_with.connect(lambda path, _real: done.append(path))
     collect(dialog, qtbot, 10)
-    qtbot.waitUntil(dialog.collect.images.right.isHidden, timeout=30_000)
+    qtbot.waitUntil(dialog.collect.images.right.isHidden)
     dialog.next.click()
-    qtbot.waitUntil(dialog.next.isEnabled, timeout=30_000)
+    qtbot.waitUntil(dialog.next.isEnabled)
     assert dialog.outcome.table.isColumnHidden(2)
     dialog.next.click()
-    qtbot.waitUntil(dialog.next.isEnabled, timeout=60_000)
+    qtbot.waitUntil(dialog.next.isEnabled)
     assert shows(dialog.check.words.text(), "verify.corners_good")
     assert dialog.check.images.right.isHidden()
     dialog.next.click()
@@ -146,12 +146,12 @@ def test_exchanged_cameras_are_rejected_on_the_result_page(wizard, qtbot):
     dialog = wizard(source)
     collect(dialog, qtbot, 8)
     dialog.next.click()
-    qtbot.waitUntil(lambda: "exchanged" in dialog.outcome.reasons.text(), timeout=30_000)
+    qtbot.waitUntil(lambda: "exchanged" in dialog.outcome.reasons.text())
     assert dialog.outcome.reasons.isVisible() and not dialog.next.isEnabled()
     dialog.back.click()
     assert dialog.pages.currentIndex() == VIEWS
     qtbot.keyClick(dialog, Qt.Key.Key_Escape)
-    qtbot.waitUntil(lambda: source.closed, timeout=30_000)
+    qtbot.waitUntil(lambda: source.closed)
 
 
 def test_a_known_baseline_detects_a_wrong_square_size(wizard, qtbot):
@@ -159,12 +159,12 @@ def test_a_known_baseline_detects_a_wrong_square_size(wizard, qtbot):
     dialog.board.baseline_mm.setValue(63.0)
     collect(dialog, qtbot, 8)
     dialog.next.click()
-    qtbot.waitUntil(lambda: "Measure a square" in dialog.outcome.reasons.text(), timeout=30_000)
+    qtbot.waitUntil(lambda: "Measure a square" in dialog.outcome.reasons.text())
     assert not dialog.next.isEnabled()
     dialog.board.baseline_mm.setValue(60.0)
     dialog.back.click()
     dialog.next.click()
-    qtbot.waitUntil(dialog.next.isEnabled, timeout=30_000)
+    qtbot.waitUntil(dialog.next.isEnabled)
 
 
 def test_a_camera_that_does_not_open_is_reported(wizard, qtbot):
@@ -174,7 +174,7 @@ def test_a_camera_that_does_not_open_is_reported(wizard, qtbot):
 
     dialog = wizard(Absent())
     dialog.next.click()
-    qtbot.waitUntil(lambda: "camera 7" in dialog.collect.words.text(), timeout=30_000)
+    qtbot.waitUntil(lambda: "camera 7" in dialog.collect.words.text())
 
 
 def test_an_impossible_board_stops_at_the_first_page(wizard):
@@ -224,7 +224,7 @@ def test_real_images_from_a_folder_are_split_into_views_and_check(wizard, qtbot,
     collect(dialog, qtbot, 8)
     dialog.next.click()
     # eight pairs, of which every third is reserved for verification, are too few
-    qtbot.waitUntil(lambda: "at least 8" in dialog.outcome.reasons.text(), timeout=30_000)
+    qtbot.waitUntil(lambda: "at least 8" in dialog.outcome.reasons.text())
 
 
 def test_a_folder_needs_as_many_left_as_right_images(tmp_path):
@@ -306,9 +306,9 @@ def test_the_board_is_remembered():
 def test_the_window_opens_each_dialog_once_and_closes_them(window, qtbot):
     for key, name in (("stereo", "stereo"), ("glove_setup", "glove")):
         window.run_command(key)
-        qtbot.waitUntil(lambda n=name: n in window.set_up.dialogs, timeout=30_000)
+        qtbot.waitUntil(lambda n=name: n in window.set_up.dialogs)
         window.run_command(key)
-    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
+    qtbot.waitUntil(lambda: not window.tasks.tasks)
     assert len(window.set_up.dialogs) == 2
     window.set_up.shut_down()
     assert window.set_up.dialogs == {}
@@ -319,7 +319,7 @@ def test_before_devices_are_open_the_list_is_there_with_the_calibration(
 ):
     monkeypatch.setattr("app.engines.found_gloves.serial_ports", list)
     window.sources.open_devices()
-    qtbot.waitUntil(lambda: "No glove was found" in window.banner.text(), timeout=60_000)
+    qtbot.waitUntil(lambda: "No glove was found" in window.banner.text())
     assert window.docks["checklist"].isVisible() and window.start_page.isVisible()
     assert window.checklist.summary.text().startswith("0 of")
     rig = small_rig()
@@ -350,9 +350,9 @@ def test_a_new_calibration_is_used_at_once_with_the_devices_in_use(
         finish(True)
     assert store.value.calibration == str(path)
     window.host.adopt(replace(scripted_setup(ScriptedEngine()), simulated=False))
-    with qtbot.waitSignal(window.set_up.restart, timeout=30_000):
+    with qtbot.waitSignal(window.set_up.restart):
         finish(True)
-    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
+    qtbot.waitUntil(lambda: not window.tasks.tasks)
 
 
 def test_images_may_come_from_the_selected_camera_all_others_and_a_simulation(window):

@@ -9,6 +9,7 @@ from app.widgets.scrolled import Scrolled
 from app.window.commands import ToolBar
 from app.window.main_window import SMALLEST
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
+from tests.gui.patience import settled
 
 pytestmark = pytest.mark.styled
 
@@ -19,11 +20,11 @@ SIZES = [(800, 500), (960, 540), (1366, 768)]  # the middle one is Full HD at 20
 def test_every_panel_has_its_required_size_or_scrolls(window, qtbot, size):
     window.host.adopt(scripted_setup(ScriptedEngine()))
     window.resize(*size)
-    qtbot.wait(50)
+    settled(window, qtbot)
     assert (window.width(), window.height()) == size
     for name, dock in window.docks.items():
         dock.raise_()
-        QApplication.processEvents()
+        settled(window, qtbot)
         area = dock.widget()
         assert isinstance(area, Scrolled)
         panel, available = area.widget(), area.viewport().size()
@@ -36,10 +37,10 @@ def test_every_panel_has_its_required_size_or_scrolls(window, qtbot, size):
 def test_at_1366_by_768_the_images_and_the_hand_need_no_scrolling(window, qtbot):
     window.host.adopt(scripted_setup(ScriptedEngine()))
     window.resize(1366, 768)
-    qtbot.wait(50)
+    settled(window, qtbot)
     for name in ("cameras", "hand", "colours", "calibration", "sensors"):
         window.run_command(f"show_{name}")
-        QApplication.processEvents()
+        settled(window, qtbot)
         area = window.docks[name].widget()
         assert area.verticalScrollBar().maximum() == 0, name
         assert area.horizontalScrollBar().maximum() == 0, name
@@ -61,7 +62,7 @@ def test_tabs_of_panels_show_their_full_names_and_arrows_lead_to_the_rest(window
     window.host.adopt(scripted_setup(ScriptedEngine()))
     window.resize(911, 464)
     window.run_command("job_all")
-    qtbot.wait(50)
+    settled(window, qtbot)
     direct = Qt.FindChildOption.FindDirectChildrenOnly
     bars = [b for b in window.findChildren(QTabBar, options=direct) if b.isVisible()]
     assert {bar.tabText(0) for bar in bars} == {"Hand", "Calibration", "Sensors"}
@@ -92,6 +93,7 @@ def test_a_replay_shows_a_session_and_its_transport_on_every_screen(window, qtbo
     area = window.docks["library"].widget()
     library.refresh(None)
     qtbot.waitUntil(lambda: area.verticalScrollBar().maximum() == 0)
+    settled(window, qtbot)
     assert area.horizontalScrollBar().maximum() == 0
     assert library.table.height() >= 72  # a heading and a session
     for name in ("cameras", "hand"):
@@ -112,6 +114,7 @@ def test_record_is_visible_and_nothing_scrolls_sideways_on_every_screen(window, 
     area = window.docks["recording"].widget()
     button = window.recording.record_button
     qtbot.waitUntil(lambda: area.horizontalScrollBar().maximum() == 0)
+    settled(window, qtbot)
     assert button.visibleRegion().boundingRect().size() == button.size()
 
 
@@ -121,11 +124,11 @@ def test_nothing_in_the_tool_bar_moves_when_a_recording_begins(window, qtbot):
     bar = window.findChild(ToolBar)
     buttons = bar.findChildren(QToolButton)
     qtbot.waitUntil(bar.isVisible)
-    QApplication.processEvents()
+    settled(window, qtbot)
     before = [button.geometry() for button in buttons]
     action = next(a for a in bar.actions() if a.iconText().endswith("Record"))
     action.setIconText(action.iconText().replace("Record", "Stop recording"))
-    QApplication.processEvents()
+    settled(window, qtbot)
     assert [button.geometry() for button in buttons] == before
 
 
@@ -145,7 +148,7 @@ def test_colours_are_in_one_column_if_there_is_no_space_for_two(window, qtbot):
     dock.setFloating(True)
     for width, beside in ((TWO_COLUMNS + 60, True), (TWO_COLUMNS - 160, False)):
         dock.resize(width, 500)
-        qtbot.waitUntil(lambda beside=beside: are_beside() == beside, timeout=30_000)
+        qtbot.waitUntil(lambda beside=beside: are_beside() == beside)
         assert panel.width() <= width
 
 
@@ -162,6 +165,6 @@ def test_a_wrapped_text_gets_its_height(qtbot):
     assert label.height() >= label.heightForWidth(label.width())
     assert area.verticalScrollBar().maximum() > 0
     area.resize(1200, 400)
-    qtbot.waitUntil(lambda: area.verticalScrollBar().maximum() == 0, timeout=30_000)
+    qtbot.waitUntil(lambda: area.verticalScrollBar().maximum() == 0)
     label.setText("word " * 4000)
-    qtbot.waitUntil(lambda: area.verticalScrollBar().maximum() > 0, timeout=30_000)
+    qtbot.waitUntil(lambda: area.verticalScrollBar().maximum() > 0)

@@ -10,11 +10,12 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication, QFrame
+from PySide6.QtWidgets import QFrame
 
 from app.platform.crash import CrashWatch
 from app.viewmodels.recent import age_text, look_back, renamed, with_recent
 from app.window.main_window import MainWindow
+from tests.gui.patience import settled
 from tracker.offline.simulate import SimulateOptions, simulate
 
 
@@ -43,7 +44,7 @@ def started(sessions, store, qtbot, no_leaks):
     qtbot.addWidget(window)
     window.resize(1366, 768)
     window.show()
-    qtbot.waitUntil(lambda: window.start_page.recent.count() > 0, timeout=20_000)
+    qtbot.waitUntil(lambda: window.start_page.recent.count() > 0)
     yield window
     window.close()
 
@@ -61,7 +62,7 @@ def test_earlier_sessions_are_on_the_start_page_and_open_by_a_click(started, ses
     assert not item.icon().isNull()
     place = page.recent.visualItemRect(item).center()
     qtbot.mouseClick(page.recent.viewport(), Qt.MouseButton.LeftButton, pos=place)
-    qtbot.waitUntil(lambda: started.host.running, timeout=30_000)
+    qtbot.waitUntil(lambda: started.host.running)
     assert started.host.setup.player.path == sessions / "P01_pinch.mcap"
     assert started.store.value.recent == [str(sessions / "P01_pinch.mcap")]
 
@@ -71,8 +72,8 @@ def test_a_recording_that_was_cut_off_is_recovered_from_the_start_page(started, 
     assert page.unfinished.isVisible() and "P02_fist.mcap" in page.unfinished_text.text()
     qtbot.mouseClick(page.recover_button, Qt.MouseButton.LeftButton)
     made = sessions / "P02_fist_recovered.mcap"
-    qtbot.waitUntil(lambda: made.name in started.banner.text(), timeout=20_000)
-    qtbot.waitUntil(lambda: not page.unfinished.isVisible(), timeout=20_000)
+    qtbot.waitUntil(lambda: made.name in started.banner.text())
+    qtbot.waitUntil(lambda: not page.unfinished.isVisible())
     assert made.exists() and (sessions / "P02_fist.mcap").exists()
     assert any(text.startswith("P02_fist_recovered") for text in texts(started))
 
@@ -92,13 +93,15 @@ def test_cards_do_not_overlap(started, qtbot, width):
     page.setParent(None)
     page.resize(width, 500)
     page.show()
-    QApplication.processEvents()
     cards = [c for c in page.findChildren(QFrame, "card") if c is not page.unfinished]
     assert len(cards) == 3
-    places = sorted((c.geometry() for c in cards), key=lambda g: g.x())
-    for a, b in itertools.pairwise(places):
-        assert a.right() < b.left()
-    assert places[-1].right() <= width
+
+    def are_beside() -> bool:
+        places = sorted((c.geometry() for c in cards), key=lambda g: g.x())
+        apart = all(a.right() < b.left() for a, b in itertools.pairwise(places))
+        return apart and places[-1].right() <= width
+
+    qtbot.waitUntil(are_beside)
     started.setCentralWidget(page)
 
 
@@ -125,7 +128,7 @@ def test_a_session_renamed_in_the_library_is_offered_under_its_new_name(started,
     path = shutil.copy(sessions / "P01_pinch.mcap", other / "P03_point.mcap")
     started.store.update(recent=[str(path)])
     started.library.files.rename(path, "Z9_last")
-    qtbot.waitUntil(lambda: any(t.startswith("Z9_last") for t in texts(started)), timeout=20_000)
+    qtbot.waitUntil(lambda: any(t.startswith("Z9_last") for t in texts(started)))
     assert started.store.value.recent == [str(other / "Z9_last.mcap")]
 
 
@@ -160,10 +163,10 @@ def test_recent_sessions_come_newest_first_and_the_newest_is_among_them(tmp_path
 
 def test_a_truncated_session_is_reported_when_it_is_opened(started, sessions, qtbot):
     started.sources.open_session(sessions / "P02_fist.mcap")
-    qtbot.waitUntil(lambda: "P02_fist.mcap was cut off" in started.banner.text(), timeout=30_000)
+    qtbot.waitUntil(lambda: "P02_fist.mcap was cut off" in started.banner.text())
     assert started.banner.buttons[0].text() == "Recover"
     started.sources.open_session(sessions / "P01_pinch.mcap")
-    qtbot.waitUntil(lambda: "P01_pinch" in started.windowTitle(), timeout=30_000)
+    qtbot.waitUntil(lambda: "P01_pinch" in started.windowTitle())
     assert not started.banner.isVisible()
     shutil.copy(sessions / "P01_pinch.mcap", sessions / "P02_fist_recovered.mcap")
     started.sources.open_session(sessions / "P02_fist.mcap")
@@ -174,8 +177,8 @@ def test_a_truncated_session_is_reported_when_it_is_opened(started, sessions, qt
 @pytest.mark.styled
 def test_the_library_below_the_start_page_is_wide_and_has_its_buttons(started, qtbot):
     qtbot.mouseClick(started.start_page.library_button, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: started.library.table.rowCount() > 0, timeout=20_000)
-    qtbot.wait(50)
+    qtbot.waitUntil(lambda: started.library.table.rowCount() > 0)
+    settled(started, qtbot)
     assert started.library.width() > 0.95 * started.width()
     assert started.library.table.height() > 3 * started.library.table.rowHeight(0)
     for key in ("replay", "track", "compare", "export"):
@@ -206,7 +209,7 @@ def test_a_start_after_a_crash_reports_the_recovered_recording(
     window.show()
     try:
         end = "P01_pinch is complete." if name == WHOLE else "can be recovered."
-        qtbot.waitUntil(lambda: window.banner.text().endswith(end), timeout=20_000)
+        qtbot.waitUntil(lambda: window.banner.text().endswith(end))
         assert window.banner.text().startswith("Glovetrack ended unexpectedly")
         shown = [b.text() for b in window.banner.buttons if b.isVisibleTo(window.banner)]
         first = "Show" if name == WHOLE else "Recover"
@@ -221,4 +224,4 @@ def test_the_file_being_recorded_is_remembered_until_it_is_closed(live, store, q
     live.run_command("record")
     assert store.value.recording == str(live.host.recording.request.path)
     live.run_command("record")
-    qtbot.waitUntil(lambda: store.value.recording == "", timeout=20_000)
+    qtbot.waitUntil(lambda: store.value.recording == "")

@@ -36,7 +36,7 @@ def test_a_stream_of_the_command_line_sends_once_an_engine_runs(window, qtbot):
             except BlockingIOError:
                 return False
 
-        qtbot.waitUntil(has_arrived, timeout=10_000)
+        qtbot.waitUntil(has_arrived)
         assert window.panels["streams"].boxes["udp"].isChecked()
 
 

@@ -285,7 +285,7 @@ def test_the_first_thing_a_replay_shows_is_an_image(which, request, qtbot):
     setup.player.play(False)
     setup.engine.start()
     try:
-        qtbot.waitUntil(lambda: setup.tracked.latest_frame() is not None, timeout=20_000)
+        qtbot.waitUntil(lambda: setup.tracked.latest_frame() is not None)
         image, blobs, _ = setup.tracked.latest_frame()
         assert image.left is not None and image.right is not None
         assert image.t == blobs.t
@@ -303,18 +303,18 @@ def test_opening_anything_leaves_the_panels_and_raises_what_a_replay_needs(windo
     window.host.adopt(scripted_setup(ScriptedEngine()))
     assert not window.docks["sensors"].isVisible() and not window.docks["colours"].isVisible()
     bar = window.library.transport
-    qtbot.waitUntil(lambda: not window.log.visibleRegion().isEmpty(), timeout=10_000)
+    qtbot.waitUntil(lambda: not window.log.visibleRegion().isEmpty())
     assert bar.visibleRegion().isEmpty()
     window.host.adopt(open_replay(take, lambda *_: None))
-    qtbot.waitUntil(lambda: bar.visibleRegion().boundingRect() == bar.rect(), timeout=10_000)
+    qtbot.waitUntil(lambda: bar.visibleRegion().boundingRect() == bar.rect())
     assert not window.docks["sensors"].isVisible() and not window.docks["colours"].isVisible()
 
 
 def test_a_replay_opened_first_has_its_transport_in_view_on_a_small_screen(window, take, qtbot):
     bar = window.library.transport
     window.host.adopt(open_replay(take, lambda *_: None))
-    qtbot.waitUntil(lambda: bar.visibleRegion().boundingRect() == bar.rect(), timeout=10_000)
-    qtbot.waitUntil(lambda: window.host.snapshot().frame is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: bar.visibleRegion().boundingRect() == bar.rect())
+    qtbot.waitUntil(lambda: window.host.snapshot().frame is not None)
 
 
 class Copying:
@@ -344,7 +344,7 @@ def recorded(window, take, qtbot):
     window.recording.participant.setText("P07")
     window.run_command("record")
     window.run_command("record")
-    qtbot.waitUntil(lambda: "is complete" in window.banner.text(), timeout=30_000)
+    qtbot.waitUntil(lambda: "is complete" in window.banner.text())
     return window
 
 
@@ -368,7 +368,7 @@ def test_a_full_disk_is_named_beside_how_the_recording_is(recorded, qtbot, monke
     monkeypatch.setattr("app.panels.recording.free_bytes", lambda _folder: 10_000_000)
     recorded.recording.refresh(None)
     assert recorded.host.recording.request is None
-    qtbot.waitUntil(lambda: "disk is nearly full" in recorded.banner.text(), timeout=30_000)
+    qtbot.waitUntil(lambda: "disk is nearly full" in recorded.banner.text())
     assert "is complete" in recorded.banner.text()
 
 
@@ -387,7 +387,7 @@ def test_it_is_renamed_and_shown_from_there(recorded, qtbot):
     assert recorded.banner.text().startswith("pinch-of-salt is complete")
     assert recorded.store.value.recent == [str(path)]
     button(recorded, "Show").click()
-    qtbot.waitUntil(lambda: recorded.host.setup.player is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: recorded.host.setup.player is not None)
     assert recorded.host.setup.player.path == path
     assert not recorded.messages.isVisible()
 
@@ -421,10 +421,10 @@ def test_a_recording_that_its_disk_cut_off_is_recovered_from_its_message(
     cut = tmp_path / "cut.mcap"
     cut.write_bytes(take.read_bytes()[: take.stat().st_size * 2 // 3])
     recorded.host.recording.finished.emit(cut)
-    qtbot.waitUntil(lambda: "cut was interrupted" in recorded.banner.text(), timeout=30_000)
+    qtbot.waitUntil(lambda: "cut was interrupted" in recorded.banner.text())
     button(recorded, "Recover").click()
     whole = tmp_path / "cut_recovered.mcap"
-    qtbot.waitUntil(lambda: whole.name in recorded.banner.text(), timeout=30_000)
+    qtbot.waitUntil(lambda: whole.name in recorded.banner.text())
     assert is_ok(verify(whole))
 
 
@@ -440,13 +440,13 @@ def test_missing_data_are_reported_during_a_recording_which_continues(qtbot, win
     window.run_command("record")
     assert window.host.recording.request is not None
     assert window.banner.text() == ""
-    qtbot.waitUntil(lambda: "30 of 60 images per second" in window.banner.text(), timeout=10_000)
+    qtbot.waitUntil(lambda: "30 of 60 images per second" in window.banner.text())
     assert f"no data from the IMU {name}" in window.banner.text()
     engine.recent_imu = lambda: samples  # one of the two has come
-    qtbot.waitUntil(lambda: "IMU" not in window.banner.text(), timeout=10_000)
+    qtbot.waitUntil(lambda: "IMU" not in window.banner.text())
     assert "of 60 images" in window.banner.text()
     camera.fps = 30.0
-    qtbot.waitUntil(lambda: not window.messages.isVisibleTo(window), timeout=10_000)
+    qtbot.waitUntil(lambda: not window.messages.isVisibleTo(window))
     window.run_command("record")
 
 
@@ -495,14 +495,14 @@ def test_a_glove_unplugged_during_a_recording_is_named_until_it_is_back(qtbot, w
     assert not window.messages.isVisible()
     engine.recent_imu = list
     text = "This recording is incomplete: no data from the glove."
-    qtbot.waitUntil(lambda: window.banner.text() == text, timeout=10_000)
+    qtbot.waitUntil(lambda: window.banner.text() == text)
     engine.recent_imu = lambda: samples
-    qtbot.waitUntil(lambda: not window.messages.isVisible(), timeout=10_000)
+    qtbot.waitUntil(lambda: not window.messages.isVisible())
     engine.recent_imu = list
-    qtbot.waitUntil(lambda: window.messages.isVisible(), timeout=10_000)
+    qtbot.waitUntil(lambda: window.messages.isVisible())
     window.messages.say("Something else.", good=True)
     window.messages.hide()
-    qtbot.waitUntil(lambda: window.banner.text() == text, timeout=10_000)
+    qtbot.waitUntil(lambda: window.banner.text() == text)
     window.banner.dismissed.emit()
     qtbot.wait(1200)
     assert not window.messages.isVisible()
@@ -514,9 +514,9 @@ def test_good_news_disappears_and_problems_stay(qtbot, window, monkeypatch):
     monkeypatch.setattr("app.window.message_bar.CHOOSE_MS", 100)
     window.messages.say("Saved.", good=True)
     assert window.messages.isVisible()
-    qtbot.waitUntil(lambda: not window.messages.isVisible(), timeout=10_000)
+    qtbot.waitUntil(lambda: not window.messages.isVisible())
     window.messages.say("P01 is complete.", ("Show it", lambda: None), good=True, stays=True)
-    qtbot.waitUntil(lambda: not window.messages.isVisible(), timeout=10_000)
+    qtbot.waitUntil(lambda: not window.messages.isVisible())
     window.messages.say("Saved.", good=True)
     window.messages.say("The disk is full.")
     qtbot.wait(300)
@@ -539,7 +539,7 @@ def test_images_that_were_never_searched_are_shown_all_the_same(take, tmp_path, 
     setup = open_replay(path, lambda *_: None)
     setup.engine.start()
     try:
-        qtbot.waitUntil(lambda: setup.tracked.latest_frame() is not None, timeout=20_000)
+        qtbot.waitUntil(lambda: setup.tracked.latest_frame() is not None)
         image, blobs, _ = setup.tracked.latest_frame()
         assert image.left is not None and blobs.left is None
     finally:
@@ -563,7 +563,7 @@ def test_a_session_dragged_onto_the_window_is_opened(window, take, qtbot):
     assert not dropped(window, "holiday.jpg")
     assert window.host.setup is None and not window.host.opening
     assert dropped(window, str(take))
-    qtbot.waitUntil(lambda: window.host.running, timeout=30_000)
+    qtbot.waitUntil(lambda: window.host.running)
     assert window.host.setup.player.path == take
 
 

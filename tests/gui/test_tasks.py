@@ -108,7 +108,7 @@ def test_a_job_reports_the_damaged_messages_that_it_skipped(tmp_path, qtbot, in_
     owner, counts, noted = TaskOwner(), [], []
     owner.noted.connect(noted.append)
     owner.run("count", job, done=counts.append)
-    qtbot.waitUntil(lambda: not owner.tasks, timeout=60_000)
+    qtbot.waitUntil(lambda: not owner.tasks)
     assert counts == [_count_samples(None, tmp_path / "s.mcap") - 1]
     damaged = warning("session.damaged_topic", count=1, topic=topic)
     reported = warning("session.messages_damaged", file="a.mcap", topics=[damaged])

@@ -191,7 +191,7 @@ def test_a_catalogue_speaks_from_menus_subclasses_and_view_models(tmp_path, stor
             assert own or "«" in action.text(), action.text()
         for name, dock in window.docks.items():
             assert dock.windowTitle().startswith("«"), name
-        qtbot.waitUntil(lambda: window.bar.tracking.text() == "«Stopped»", timeout=30_000)
+        qtbot.waitUntil(lambda: window.bar.tracking.text() == "«Stopped»")
         assert words.tr("what no file holds") == "what no file holds"
     finally:
         window.close()

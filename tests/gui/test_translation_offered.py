@@ -116,7 +116,7 @@ def foreign(speaking, store, engine, qtbot, no_leaks):
         window.resize(1366, 768)
         window.show()
         window.host.adopt(scripted_setup(engine))
-        qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=30_000)
+        qtbot.waitUntil(lambda: window.hand._scene is not None)
         return window
 
     yield show

@@ -95,11 +95,11 @@ def beside(window, store, parts, tmp_path, qtbot):
         shutil.copy2(path, folder / path.name)
     window.show_panel("library")
     table = window.library.table
-    qtbot.waitUntil(lambda: table.rowCount() == 2, timeout=20_000)
+    qtbot.waitUntil(lambda: table.rowCount() == 2)
     table.selectAll()
     window.run_command("beside")
-    qtbot.waitUntil(lambda: window.findChild(TwoRecordingsDialog) is not None, timeout=20_000)
-    qtbot.waitUntil(lambda: window.host.running, timeout=30_000)
+    qtbot.waitUntil(lambda: window.findChild(TwoRecordingsDialog) is not None)
+    qtbot.waitUntil(lambda: window.host.running)
     return window.findChild(TwoRecordingsDialog)
 
 
@@ -115,11 +115,11 @@ def test_the_second_hand_goes_along_with_the_first(beside, window, qtbot):
             return np.nan
         return float(np.nanmax(np.abs(hand.keypoints - estimate.keypoints)))
 
-    qtbot.waitUntil(lambda: difference() < 1e-9, timeout=10_000)
+    qtbot.waitUntil(lambda: difference() < 1e-9)
     beside.offset.setValue(LATER + 0.4)
-    qtbot.waitUntil(lambda: difference() > 1e-3, timeout=10_000)
+    qtbot.waitUntil(lambda: difference() > 1e-3)
     qtbot.mouseClick(beside.clock_button, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: difference() < 1e-9, timeout=10_000)
+    qtbot.waitUntil(lambda: difference() < 1e-9)
 
 
 def test_curves_line_and_offset_go_together(beside, window, qtbot):
@@ -130,9 +130,7 @@ def test_curves_line_and_offset_go_together(beside, window, qtbot):
     assert beside.curves[1].getData()[0][0] == pytest.approx(0.0, abs=0.05)
     window.host.setup.player.play(False)
     beside.cursor_line.setValue(0.7)
-    qtbot.waitUntil(
-        lambda: window.host.setup.player.position == pytest.approx(0.7, abs=0.1), timeout=10_000
-    )
+    qtbot.waitUntil(lambda: window.host.setup.player.position == pytest.approx(0.7, abs=0.1))
     beside.close()
     qtbot.wait(50)
     window.library.refresh(None)  # nothing follows a closed dialog
@@ -162,9 +160,9 @@ def test_images_of_both_takes_follow_position_and_offset(beside, window, monkeyp
     player.play(False)
     beside.set_offset(0.25)
     player.seek(0.9)
-    qtbot.waitUntil(lambda: abs(asked[0] - player.position) < 1e-6, timeout=20_000)
+    qtbot.waitUntil(lambda: abs(asked[0] - player.position) < 1e-6)
     assert asked[0] == pytest.approx(0.9, abs=0.1)
-    qtbot.waitUntil(lambda: asked[1] == pytest.approx(asked[0] - 0.25), timeout=20_000)
+    qtbot.waitUntil(lambda: asked[1] == pytest.approx(asked[0] - 0.25))
 
 
 def test_by_movement_the_offset_is_found_and_kept_for_the_next_time(tmp_path):

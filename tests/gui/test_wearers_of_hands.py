@@ -67,7 +67,7 @@ def open_hand(window, qtbot):
 def save(window, qtbot, engine: Worn, name: str, scale: float) -> str:
     """The name that what the engine has learned is saved under."""
     engine.learn(scale)
-    with qtbot.waitSignal(window.calibration.profiles.kept, timeout=30_000):
+    with qtbot.waitSignal(window.calibration.profiles.kept):
         window.calibration.profiles.save(name)
     return window.calibration.wearer.name
 

@@ -15,6 +15,7 @@ from app.viewmodels.states import IDLE
 from app.widgets.command_palette import CommandPalette, rank
 from app.window.main_window import MainWindow
 from tests.gui.gui_fakes import ScriptedEngine, SlowJob, frame_and_blobs, models, scripted_setup
+from tests.gui.patience import settled
 from tracker.messages import Event, Status, Tracking
 
 
@@ -77,7 +78,7 @@ def test_the_skeleton_is_projected_onto_the_hand(live):
 
 
 def test_the_hand_view_draws_the_hand(live, qtbot):
-    qtbot.waitUntil(lambda: live.hand._hands[0].skin is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: live.hand._hands[0].skin is not None)
     live.hand.refresh(live.host.snapshot())
     before = pixels(live.hand.view)
     greenish = (before[..., 1] > before[..., 0] + 25).mean()
@@ -89,15 +90,15 @@ def test_the_hand_view_draws_the_hand(live, qtbot):
 
 def test_a_lost_position_is_reported_and_drawn_differently(live, engine, qtbot):
     engine.tracking = Tracking.LOST
-    qtbot.waitUntil(lambda: "lost" in live.bar.tracking.text().lower(), timeout=30_000)
-    qtbot.waitUntil(lambda: "lost" in live.hand.view.caption, timeout=30_000)
+    qtbot.waitUntil(lambda: "lost" in live.bar.tracking.text().lower())
+    qtbot.waitUntil(lambda: "lost" in live.hand.view.caption)
 
 
 def test_the_status_bar_shows_rates_and_latency(live, qtbot):
-    qtbot.waitUntil(lambda: "100 Hz" in live.bar.chips["imu_rate_hz"].text(), timeout=30_000)
+    qtbot.waitUntil(lambda: "100 Hz" in live.bar.chips["imu_rate_hz"].text())
     assert "48 ms" in live.bar.chips["latency"].text()
     live.host.stop()
-    qtbot.waitUntil(lambda: live.bar.tracking.text() == "Stopped", timeout=30_000)
+    qtbot.waitUntil(lambda: live.bar.tracking.text() == "Stopped")
 
 
 def test_tuning_a_hue_reaches_the_engine_and_can_be_undone(live, engine):
@@ -128,12 +129,13 @@ def test_hidden_panels_cost_nothing(live, qtbot, monkeypatch):
     calls = []
     monkeypatch.setattr(live.panels["sensors"], "refresh", lambda view: calls.append(view))
     live.docks["log"].raise_()
-    qtbot.wait(150)
+    qtbot.waitUntil(lambda: live.docks["sensors"].visibleRegion().isEmpty())
+    settled(live, qtbot)
     calls.clear()
     qtbot.wait(200)
     assert calls == []
     live.docks["sensors"].raise_()
-    qtbot.waitUntil(lambda: len(calls) > 0, timeout=30_000)
+    qtbot.waitUntil(lambda: len(calls) > 0)
 
 
 def test_palette_finds_and_runs_a_command(live, qtbot):
@@ -157,7 +159,7 @@ def test_palette_ranks_word_starts_first(query, better, worse):
 
 def test_events_reach_the_log_and_are_filtered(live, engine, qtbot):
     engine.events.append(Event(1.0, "error", "The glove does not answer."))
-    qtbot.waitUntil(lambda: live.log.list.count() == 2, timeout=30_000)
+    qtbot.waitUntil(lambda: live.log.list.count() == 2)
     live.log.kind.setCurrentIndex(live.log.kind.findData("error"))
     assert live.log.list.count() == 1
     assert "does not answer" in live.log.list.item(0).text()
@@ -186,7 +188,7 @@ def test_errors_stay_in_the_banner_until_dismissed(window):
 def test_missing_devices_are_listed_in_the_window(window, qtbot, monkeypatch):
     monkeypatch.setattr("app.engines.found_gloves.serial_ports", list)
     window.sources.open_devices()
-    qtbot.waitUntil(lambda: "No glove was found" in window.banner.text(), timeout=60_000)
+    qtbot.waitUntil(lambda: "No glove was found" in window.banner.text())
     assert window.start_page.isVisible()
 
 
@@ -202,18 +204,18 @@ def test_an_error_of_a_panel_factory_is_shown(window, qtbot):
         raise RuntimeError("no such thing")
 
     window.host.open("Trying", factory)
-    qtbot.waitUntil(lambda: "no such thing" in window.banner.text(), timeout=30_000)
-    qtbot.waitUntil(lambda: not window.host.opening, timeout=30_000)
+    qtbot.waitUntil(lambda: "no such thing" in window.banner.text())
+    qtbot.waitUntil(lambda: not window.host.opening)
     assert window.host.setup is None
 
 
 def test_a_long_job_shows_progress_and_ends_when_cancelled(window, qtbot):
     job = SlowJob()
     task = window.tasks.run("Working", job)
-    qtbot.waitUntil(window.bar._bar.isVisible, timeout=30_000)
-    assert job.started.wait(2)
+    qtbot.waitUntil(window.bar._bar.isVisible)
+    assert job.started.wait(60)
     window.bar._cancel.click()
-    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
+    qtbot.waitUntil(lambda: not window.tasks.tasks)
     assert not window.bar._bar.isVisible()
     assert not task.alive
 
@@ -273,8 +275,7 @@ def test_opening_and_closing_leaves_no_thread_timer_or_window(store, qtbot, no_l
         QApplication.processEvents()
         del window
     gc.collect()
-    qtbot.wait(20)
-    assert threading.active_count() <= threads
+    qtbot.waitUntil(lambda: threading.active_count() <= threads)
     left = [
         w for w in QApplication.topLevelWidgets() if isinstance(w, MainWindow) and w.isVisible()
     ]
@@ -353,9 +354,9 @@ def test_the_status_of_a_replay_does_not_look_live(window):
 def test_after_closing_no_panel_shows_values_of_before(live, engine, qtbot):
     table = live.calibration.table
     live.show_panel("calibration")
-    qtbot.waitUntil(lambda: table.rowCount() > 0, timeout=30_000)
+    qtbot.waitUntil(lambda: table.rowCount() > 0)
     live.show_panel("sensors")
-    qtbot.waitUntil(lambda: "Hz" in live.panels["sensors"].figures.text(), timeout=30_000)
+    qtbot.waitUntil(lambda: "Hz" in live.panels["sensors"].figures.text())
     live.run_command("record")
     live.recording.refresh(None)
     assert live.recording.file_label.text() != "–"

@@ -113,11 +113,11 @@ def test_a_source_is_chosen_tested_and_its_trackers_are_offered(
         assert not dialog.test.isEnabled()
         qtbot.waitUntil(lambda: server.clients == 1, timeout=PATIENCE_MS)
 
-        def has_heard() -> bool:
+        def has_received() -> bool:
             server.send(pose(1, 0, [0, 0, 0], [0, 0, 0, 1]) + pose(2, 0, [0, 0, 1], [0, 0, 0, 1]))
             return dialog.test.isEnabled()
 
-        qtbot.waitUntil(has_heard, timeout=PATIENCE_MS)
+        qtbot.waitUntil(has_received, timeout=PATIENCE_MS)
         text = dialog.outcome.text()
         assert WARN.colour in text and shows(text, "room.test_unnamed", count=2)
         assert "Wrist: " in text and "Head: " in text
