@@ -9,6 +9,7 @@ import pytest
 
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
+from tracker.fusion.chain.calibration import size_by_motion
 from tracker.fusion.chain.calibration.measured import measured_profile
 from tracker.fusion.chain.calibration.profile_file import WearerFile, read_wearer, write_wearer
 from tracker.fusion.chain.calibration.size import size_sd, with_min_size_sd
@@ -82,9 +83,13 @@ def test_a_profile_learned_with_one_camera_keeps_the_size_uncertain(hand, glove,
     assert engine.wearer.calibration.known_size_sd > 0.045
 
 
-def test_postures_seen_by_one_camera_leave_the_size(hand: HandModel, glove: GloveModel) -> None:
+def test_postures_seen_by_one_camera_leave_the_size(
+    hand: HandModel, glove: GloveModel, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Keyframes with all other parameters free would shrink the hand by several percent, and the
-    covariance of their solution would let the filter continue."""
+    covariance of their solution would let the filter continue. Without the measurement by motion,
+    the size remains that of the file."""
+    monkeypatch.setattr(size_by_motion, "SETTLED", np.inf)
     early = BundleParams(first_after=3.0, least_keyframes=5, least_blobs=8, apart=0.2, sweeps=3)
     settings = replace(Settings(), chain=ChainParams(bundle=early))
     sim = simulation(hand, glove, 4, 9.0)

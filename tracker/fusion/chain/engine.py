@@ -15,7 +15,7 @@ import numpy as np
 from tracker.base.notices import Notice, notice, warning
 from tracker.base.records import record
 from tracker.fusion.ablations.variants import check_variant
-from tracker.fusion.chain.calibration.size import with_min_size_sd
+from tracker.fusion.chain.calibration.size import with_min_distance_sd, with_min_size_sd
 from tracker.fusion.chain.guided.holds import Hold
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.older import complete_axes
@@ -208,13 +208,16 @@ class ChainEngine(Engine):
 
     def calibration(self) -> Calibration:
         """Estimated parameters with their uncertainty. With one camera, the size and its
-        uncertainty are those assumed at the start: later images do not measure it."""
+        uncertainty are those assumed at the start or measured by motion."""
         found, size_sd = self.wearer.shown(), self._tracker.size_sd
         return found if size_sd == 0.0 else with_size_uncertainty(found, size_sd)
 
     def profile(self) -> WearerProfile:
-        """The learned wearer profile; with one camera, the size is the one assumed at the start."""
-        return with_min_size_sd(self.wearer.profile(), self.layout, self._tracker.size_sd)
+        """The learned wearer profile; with one camera, the size is the one assumed at the start or
+        measured by motion."""
+        tracker = self._tracker
+        learned = with_min_size_sd(self.wearer.profile(), self.layout, tracker.size_sd)
+        return with_min_distance_sd(learned, self.layout, tracker.distance_sd)
 
     def put_on(self, profile: WearerProfile) -> None:
         """Use a wearer profile, now and at each new start."""

@@ -197,16 +197,18 @@ class ChainFilter:
             H, r, variance = flat_rows(self.state, self._layout)
             self.use(H, r, PASSES * variance)
 
-    def correct(self, seen: Rows) -> None:
-        """One stacked update: matches and anatomy, linearised at the same state."""
+    def correct(self, seen: Rows) -> Array:
+        """One stacked update: matches and anatomy, linearised at the same state; returns (N,) its
+        correction."""
         H, r, variance = self._constraints_seen.rows(self.state)
         since = max(self.state.t - self.saved.last_constraint, 1e-3)
         # at twice the usual rate each use carries half the information
         variance = variance * max(1.0, self._params.constraint.period / since)  # eq. 37
         v, v_variance = self.state.v.copy(), velocity_trace(self.state)
-        self._update(*joined(*seen, H, r, variance, self.state.P))
+        dx = self._update(*joined(*seen, H, r, variance, self.state.P))
         self._judge_velocity(v, v_variance, since)
         self.saved.last_constraint = self.state.t
+        return dx
 
     def _judge_velocity(self, v: Array, variance: float, since: float) -> None:
         """Compares a correction of the velocity, which was v (3,) m/s with the ``variance`` (trace,
@@ -241,12 +243,14 @@ class ChainFilter:
         HP, HPH = products(H, self.state.P)
         self._update(H, HP, HPH, r, np.diag(variance))
 
-    def _update(self, H: Array, HP: Array, HPH: Array, r: Array, R: Array) -> None:
-        """One update with H (m, N), H P, H P Hᵀ, innovation r (m,) and its noise R (m, m)."""
+    def _update(self, H: Array, HP: Array, HPH: Array, r: Array, R: Array) -> Array:
+        """One update with H (m, N), H P, H P Hᵀ, innovation r (m,) and its noise R (m, m); returns
+        the correction (N,)."""
         if self._tape is not None:
             self._tape.update(H, HP, HPH + R, r)
         dx = correct(self.state.P, HP, HPH, r, R)  # eq. 38
         inject(self.state, self._layout, dx)
+        return dx
 
 
 def velocity_trace(state: ChainState) -> float:

@@ -5,11 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 from tracker.base.records import record
+from tracker.fusion.chain.calibration.size_by_motion import place_in_image
 from tracker.fusion.chain.calibration.wearer import WearerSavedState
 from tracker.fusion.chain.cloth_fingers import ClothFingers, ClothFingersSavedState
 from tracker.fusion.chain.confidence import ConfidenceSavedState
 from tracker.fusion.chain.distal import DistalSegments
-from tracker.fusion.chain.filter import ChainFilter, FilterSavedState
+from tracker.fusion.chain.filter import ChainFilter, FilterSavedState, Rows
 from tracker.fusion.chain.guided.learning import GuidedSavedState
 from tracker.fusion.chain.known import KnownWearer, Shows
 from tracker.fusion.chain.layout import ChainLayout
@@ -35,7 +36,7 @@ from tracker.fusion.chain.tracking import (
     is_believable,
 )
 from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
-from tracker.messages import BlobFrame, FrameResult, ImuSample, Search, Tracking
+from tracker.messages import Array, BlobFrame, FrameResult, ImuSample, Search, Tracking
 from tracker.vision.rig import StereoRig
 
 
@@ -141,9 +142,11 @@ class ChainTracker:
         elif self._shows_digits(image, found) and self._judge.should_search_digits(frame.t):
             found = self._second.with_digits(image, found)
         # 3. The matches correct the state, together with anatomy.
-        self._correct(image, found)
+        rows, dx = self._correct(image, found)
         self.wearer.learn()
         enough = self._judge.is_enough(found.tally)
+        if self.confidence.saved.one_camera:
+            self._measure_size(image, place_in_image(self.state, rows, dx) if enough else None)
         if enough:
             self.confidence.held(frame.t)
             self._look_for_tips(image)
@@ -177,8 +180,14 @@ class ChainTracker:
         """Whether digits can be searched for: in depth, by a hand close to the filter's state."""
         return not image.is_mono and found.shift is None
 
-    def _correct(self, image: SeenImage, found: Recognised) -> None:
-        self.filter.correct(self._recognition.rows(self.state, image, found))
+    def _correct(self, image: SeenImage, found: Recognised) -> tuple[Rows, Array]:
+        """Corrects the state; returns the rows, and (N,) the correction."""
+        rows = self._recognition.rows(self.state, image, found)
+        return rows, self.filter.correct(rows)
+
+    def _measure_size(self, image: SeenImage, place: Array | None) -> None:
+        """With one camera: the size by motion, of a hand at ``place`` (3,) m."""
+        self.wearer.calibration.measure_size(self.state, image.pose, place, self._buffer)
 
     def _look_for_tips(self, image: SeenImage) -> None:
         """Measure the end joints, and fingers without sensors, in the outline of the glove. Where
@@ -245,6 +254,7 @@ class ChainTracker:
         self._tips.forget()
         self._fingers.forget()
         self.wearer.begun(known)
+        self.wearer.calibration.saved.by_motion.interrupt()
         self.wearer.show()
         self._judge.started(frame.t)
         self._judge.found(frame.t, started.p)
@@ -270,15 +280,20 @@ class ChainTracker:
         second_camera = self.confidence.saved.one_camera and found.in_both
         if second_camera:
             self.confidence.saved.one_camera = False
-        self.confidence.unsure(self.state, image.pose, self.wearer.calibration.known_size_sd)
+        self.confidence.unsure(self.state, image.pose, self.wearer.calibration.distance_sd)
         if second_camera:
             release_size(self.state.P, self._layout, self._params.prior)
         return self._recognition.finish(self.state, image, found, self.tracking)
 
     @property
     def size_sd(self) -> float:
-        """Relative uncertainty of the hand's size for lack of a second camera; 0 with two."""
+        """Relative uncertainty of the hand's length for lack of a second camera; 0 with two."""
         return self.confidence.size_sd(self.wearer.calibration.known_size_sd)
+
+    @property
+    def distance_sd(self) -> float:
+        """Relative uncertainty of the distance for the same reason."""
+        return self.confidence.size_sd(self.wearer.calibration.distance_sd)
 
     # ---- saving
 

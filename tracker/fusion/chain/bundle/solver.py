@@ -103,6 +103,16 @@ class BundleWork:
     rows: int = 0
 
 
+def resize_keyframes(work: BundleWork, factor: float, t: float) -> None:
+    """The hand's size has changed by ``factor`` at ``t``: the hand of each keyframe is farther away
+    in proportion. A solution in progress is started again."""
+    kept = work.keyframes.stored
+    kept[:] = [replace(f, p=f.pose.p_GC + factor * (f.p - f.pose.p_GC)) for f in kept]
+    if work.calibration is not None:
+        work.calibration, work.frames, work.p, work.R_GB, work.back = None, [], [], [], []
+        work.pause, work.next_at = work.pause / 2, t
+
+
 class WithoutPose(NamedTuple):
     """A keyframe's information N (C, C), g (C,) about the calibration, its pose eliminated, and the
     pose's change ``back`` (D, C + 1): gain and constant."""

@@ -7,10 +7,29 @@ from dataclasses import dataclass, field
 
 from tracker.base.records import record
 from tracker.fusion.chain.bundle.keyframes import keyframe_of
-from tracker.fusion.chain.bundle.solver import Bundle, BundleWork, SideInformation, adopt
+from tracker.fusion.chain.bundle.solver import (
+    Bundle,
+    BundleWork,
+    SideInformation,
+    adopt,
+    resize_keyframes,
+)
 from tracker.fusion.chain.calibration import control
 from tracker.fusion.chain.calibration.glove_check import GloveCheck
-from tracker.fusion.chain.calibration.size import size_sd, with_kept_size, with_min_size_sd
+from tracker.fusion.chain.calibration.size import (
+    distance_sd,
+    size_index,
+    size_sd,
+    with_kept_size,
+    with_min_size_sd,
+)
+from tracker.fusion.chain.calibration.size_by_motion import (
+    LEAST_SD,
+    SizeByMotion,
+    SizeByMotionSavedState,
+    resize,
+    sized,
+)
 from tracker.fusion.chain.guided.learning import GuidedLearning
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
@@ -21,7 +40,7 @@ from tracker.fusion.chain.reports import calibration_of
 from tracker.fusion.chain.state import ChainState, initial_state
 from tracker.fusion.time.imu_buffer import ImuBuffer
 from tracker.geometry.kernels import relative_rotations
-from tracker.messages import Calibration
+from tracker.messages import Array, Calibration, CameraPose
 from tracker.vision.rig import StereoRig
 
 
@@ -33,6 +52,7 @@ class WearerSavedState:
     held: WearerProfile | None = None  # calibration while it is frozen
     known: WearerProfile | None = None  # initial profile of every new start
     work: BundleWork = field(default_factory=BundleWork)
+    by_motion: SizeByMotionSavedState = field(default_factory=SizeByMotionSavedState)
 
 
 class WearerCalibration:
@@ -45,6 +65,7 @@ class WearerCalibration:
         usual = initial_state(layout)
         usual.P = initial_covariance(layout, params.prior)
         self._population = profile_of(usual, layout)
+        self._by_motion = SizeByMotion(layout)
         self.saved = WearerSavedState()
 
     @property
@@ -54,9 +75,15 @@ class WearerCalibration:
 
     @property
     def known_size_sd(self) -> float:
-        """Relative uncertainty of the hand's size before tracking; infinite without a profile."""
+        """Relative uncertainty of the hand's length; infinite without a profile."""
         known = self.saved.known
         return size_sd(known, self._layout) if known is not None else float("inf")
+
+    @property
+    def distance_sd(self) -> float:
+        """Relative uncertainty of the distance from one camera for lack of a known size."""
+        known = self.saved.known
+        return distance_sd(known, self._layout) if known is not None else float("inf")
 
     def shown(self, state: ChainState) -> Calibration:
         """The calibration as of ``state``."""
@@ -78,7 +105,7 @@ class WearerCalibration:
 
     def put_on(self, state: ChainState, profile: WearerProfile) -> None:
         """Use a wearer profile, now and at each new start."""
-        self.saved.known = profile
+        self.saved.known, self.saved.by_motion = profile, SizeByMotionSavedState()
         wear(state, self._layout, profile)
         self._keep_frozen(state)
 
@@ -86,7 +113,7 @@ class WearerCalibration:
         """Discard the calibration of some segments, or (None) of all of them. Raises ConfigError
         for a segment that is not estimated."""
         self._thaw(state)
-        self.saved.work = BundleWork()
+        self.saved.work, self.saved.by_motion = BundleWork(), SizeByMotionSavedState()
         self.glove_check.restart()
         names = self._layout.names if segments is None else segments
         control.reset_calibration(state, self._layout, self._params.prior, names)
@@ -130,6 +157,28 @@ class WearerCalibration:
         if self.saved.held is not None:
             wear(state, self._layout, self.saved.held)
             control.hold_calibration(state, self._layout)
+
+    def measure_size(
+        self, state: ChainState, camera: CameraPose, place: Array | None, buffer: ImuBuffer
+    ) -> bool:
+        """Measures the size of a hand that one ``camera`` sees at ``place`` (3,) m, None where its
+        image shows too little; returns whether it changed."""
+        now = self.saved.by_motion
+        if self.is_frozen or not self._by_motion.image(now, state, camera, place, buffer):
+            return False
+        factor = self._by_motion.complete(now, state, self.distance_sd)
+        if factor is None:
+            return False
+        before = self.saved.known or self._population
+        now.before = now.before or before
+        index = factor * size_index(state.scale, self._layout)
+        known = sized(now.before, self._layout, index, max(now.sd, LEAST_SD))
+        scale = state.scale * known.scale / before.scale  # a ruler has measured the length already
+        scale *= index / size_index(scale, self._layout)
+        resize(state, camera, scale, factor)
+        self.saved.known = known
+        resize_keyframes(self.saved.work, factor, state.t)
+        return True
 
     def refine(
         self,

@@ -29,6 +29,7 @@ SIZE_SD = 0.065  # relative, of the population: the distance uncertainty after s
 KNOWN_SIZE_SD = 0.015  # lower limit: with a ruler, or two cameras
 WRONG = 0.05  # m, maximum error of a measured point
 SIZE_SDS, POSE_SDS = 2.2, 4.0  # standard deviations of size and pose within that
+UNMEASURED_SDS = 3.0  # the former while nothing is known about the size
 
 
 @dataclass(frozen=True)
@@ -128,7 +129,8 @@ def measured_sd(p: Array, pose: CameraPose, size_sd: float) -> float:
     so they add up.
     """
     ray = float(np.linalg.norm(p - pose.p_GC))
-    sd = max(WRONG - SIZE_SDS * size_sd * ray, 0.0) / POSE_SDS
+    sds = UNMEASURED_SDS if size_sd >= SIZE_SD else SIZE_SDS
+    sd = max(WRONG - sds * size_sd * ray, 0.0) / POSE_SDS
     return float(np.sqrt(sd**2 + (size_sd * ray) ** 2 / 3)) if sd > 0.0 else 0.0
 
 
