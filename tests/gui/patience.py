@@ -34,7 +34,7 @@ def processor_ticks() -> int:
 def patient(qtbot: Any) -> Any:
     """``qtbot`` whose ``waitUntil`` continues after its time-out while a job makes progress; its
     time-outs are longer than any stall of a computer unless stated."""
-    wait, wait_signal = qtbot.waitUntil, qtbot.waitSignal
+    wait, wait_for_signal = qtbot.waitUntil, qtbot.waitSignal
 
     def wait_until(is_done: Callable[[], Any], *, timeout: int = USUAL_MS) -> None:
         end = time.monotonic() + max(AT_MOST * timeout / 1000, LEAST)
@@ -52,8 +52,11 @@ def patient(qtbot: Any) -> Any:
             else:
                 return
 
+    def wait_signal(signal: Any, *, timeout: int = USUAL_MS, **options: Any) -> Any:
+        return wait_for_signal(signal, timeout=timeout, **options)
+
     qtbot.waitUntil = wait_until
-    qtbot.waitSignal = lambda signal, *, timeout=USUAL_MS: wait_signal(signal, timeout=timeout)
+    qtbot.waitSignal = wait_signal
     return qtbot
 
 
