@@ -248,6 +248,7 @@ CLOCKS = {
     "tracker/base/clock.py": "the host's clock, to be handed over",
     "glovetrack/devices.py": "begins now",
     "glovetrack/live.py": "anchors a session to the wall clock",
+    "extensions/evaluation/fingers/trial.py": "measures",
     "extensions/evaluation/inertial/cost.py": "measures",
     "extensions/evaluation/vist/run.py": "how long is left",
     "extensions/evaluation/vist/trial.py": "measures",

@@ -179,14 +179,14 @@ def test_an_image_of_a_fast_camera_is_evaluated_for_fingertips_or_for_one_finger
 ) -> None:
     """Which limits what an image costs."""
     sim = Simulation(hand, glove, RandomPostures(hand, 1, duration=0.9), 1, fps=30)
-    look, times = ChainTracker._look_for_tips, []
+    look, times = ChainTracker.measure_cloth, []
 
     def looked(self: ChainTracker, image: SeenImage) -> None:
         look(self, image)
         fitted = self._fingers.saved.fitted_at
         times.append((max(self._tips.saved.t, -1.0), *(fitted if len(fitted) else (-1.0, -1.0))))
 
-    monkeypatch.setattr(ChainTracker, "_look_for_tips", looked)
+    monkeypatch.setattr(ChainTracker, "measure_cloth", looked)
     pipeline = Pipeline(hand, glove, sim.rig, Settings())
     for message in sim.feed():
         if isinstance(message, ImuSample):

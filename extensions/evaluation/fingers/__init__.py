@@ -1,1 +1,2 @@
-"""``evaluate fingers``: each fingertip with and without the glove's cloth."""
+"""``evaluate fingers``: each fingertip with and without the glove's cloth, and with true
+silhouettes."""

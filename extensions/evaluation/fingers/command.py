@@ -1,4 +1,5 @@
-"""The command ``evaluate fingers``: each fingertip with and without the glove's cloth."""
+"""The command ``evaluate fingers``: each fingertip with and without the glove's cloth, and with
+true silhouettes."""
 
 from __future__ import annotations
 
@@ -17,13 +18,17 @@ if TYPE_CHECKING:
     from extensions.evaluation.fingers.trial import TipErrors
 
 
+WITHOUT, WITH, BOUND = CLOTH = ("without", "with", "silhouette")
+"""Without the cloth for ring and little finger, with it, and with the hand's true silhouettes."""
+
+
 class TipRow(NamedTuple):
-    """One fingertip, with the cloth or without: mean error (mm), share of instants at which it is
+    """One fingertip; by which cloth (`CLOTH`): mean error (mm), share of instants at which it is
     reported as measured, mean errors (mm) of those instants and of the others (None where there are
     none), and the share of errors within three standard deviations."""
 
     tip: str
-    cloth: bool
+    cloth: str
     error_mm: float
     measured: float
     measured_mm: float | None
@@ -46,23 +51,58 @@ def add_fingers(parser: argparse.ArgumentParser) -> None:
 
 
 def evaluate_fingers(args: argparse.Namespace) -> int:
-    """Track each session with and without the cloth and print the figures of all together."""
-    from extensions.evaluation.fingers.trial import tips_of
+    """Track each session with and without the cloth and with true silhouettes, and print the
+    figures of all together."""
+    from extensions.evaluation.fingers.trial import bound_of, tips_of
 
     paths = [Path(name) for name in args.sessions]
     check_json(args, paths)
     rows: list[TipRow] = []
-    for cloth in (False, True):
+    for cloth in (WITHOUT, WITH):
         found = [
-            tips_of(path, args.colours, cloth, progress_line(f"tracking {path.name}"))
+            tips_of(path, args.colours, cloth == WITH, progress_line(f"tracking {path.name}"))
             for path in paths
         ]
         rows += rows_of(found, cloth)
-    finish(args, {"rows": [row._asdict() for row in rows]}, table(rows), paths)
+    bounds = [
+        bound_of(path, args.colours, progress_line(f"silhouettes of {path.name}")) for path in paths
+    ]
+    rows += rows_of([bound.tips for bound in bounds], BOUND)
+    cost = cost_of(np.concatenate([bound.cost for bound in bounds]))
+    report = {"rows": [row._asdict() for row in rows], "cost": cost._asdict()}
+    finish(args, report, [*table(rows), *cost_lines(cost)], paths)
     return 0
 
 
-def rows_of(found: Sequence[Mapping[str, TipErrors]], cloth: bool) -> list[TipRow]:
+class Cost(NamedTuple):
+    """Processor time (ms) of evaluating the cloth in ``pairs`` stereo pairs that show the hand."""
+
+    pairs: int
+    mean_ms: float
+    median_ms: float
+    p99_ms: float
+
+
+def cost_of(times: Array) -> Cost:
+    """Of ``times`` (n,) s."""
+    if not len(times):
+        return Cost(0, 0.0, 0.0, 0.0)
+    ms = 1e3 * times
+    middle, most = np.percentile(ms, [50, 99]).tolist()
+    return Cost(len(ms), float(ms.mean()), middle, most)
+
+
+def cost_lines(cost: Cost) -> list[str]:
+    """The cost as lines of text."""
+    if not cost.pairs:
+        return []
+    return [
+        f"processor time of evaluating the cloth (silhouettes) in {cost.pairs} stereo pairs: "
+        f"mean {cost.mean_ms:.1f} ms, median {cost.median_ms:.1f} ms, 99 % {cost.p99_ms:.1f} ms"
+    ]
+
+
+def rows_of(found: Sequence[Mapping[str, TipErrors]], cloth: str) -> list[TipRow]:
     """A row for each fingertip, over all sessions."""
     rows = []
     for tip in dict.fromkeys(name for tips in found for name in tips):
@@ -85,13 +125,13 @@ def _mean_mm(error: Array) -> float | None:
 def table(rows: Sequence[TipRow]) -> list[str]:
     """The table as lines of text."""
     lines = [
-        f"{'fingertip':<12}{'cloth':>7}{'error mm':>10}{'measured %':>12}{'measured mm':>13}"
+        f"{'fingertip':<12}{'cloth':>11}{'error mm':>10}{'measured %':>12}{'measured mm':>13}"
         f"{'inferred mm':>13}{'within 3 sd %':>15}"
     ]
     for r in sorted(rows, key=lambda row: [q.tip for q in rows].index(row.tip)):
         states = "".join(f"{'-' if mm is None else f'{mm:.1f}':>13}" for mm in r[4:6])
         lines.append(
-            f"{r.tip:<12}{'with' if r.cloth else 'without':>7}{r.error_mm:>10.1f}"
+            f"{r.tip:<12}{r.cloth:>11}{r.error_mm:>10.1f}"
             f"{100 * r.measured:>12.0f}{states}{100 * r.true:>15.1f}"
         )
     return lines

@@ -1,9 +1,10 @@
-"""Tracks a session with and without the glove's cloth and compares the fingertips with the
-truth."""
+"""Tracks a session with and without the glove's cloth, and with the true silhouette of the hand
+instead, and compares the fingertips with the truth."""
 
 from __future__ import annotations
 
 import tempfile
+import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -11,12 +12,17 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from extensions.evaluation.fingers.silhouettes import capsules, with_silhouettes
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
+from tracker.engine.pipeline import Pipeline
+from tracker.fusion.chain.engine import ChainEngine
+from tracker.fusion.chain.recognition import SeenImage
 from tracker.hand.names import FINGERS
-from tracker.messages import Array, Estimate, Validity
+from tracker.messages import Array, BlobFrame, CameraImuSample, Estimate, ImuSample, Validity
+from tracker.offline import by_side
 from tracker.offline.options import TrackOptions
-from tracker.offline.track import track
+from tracker.offline.track import recorded_messages, track
 from tracker.session.reader import SessionReader
 
 TIPS = tuple(f"{digit}_tip" for digit in ("thumb", *FINGERS))
@@ -54,6 +60,63 @@ def tips_of(
             estimates = [e for e in reader.messages((Estimate,)) if isinstance(e, Estimate)]
     pairs = [(e, truth[_instant(e)]) for e in estimates if _instant(e) in truth]
     return errors_of(pairs, names)
+
+
+class Bound(NamedTuple):
+    """Errors of each fingertip with true silhouettes; and, of the same run, the processor time (n,)
+    s of the thread that the evaluation of the cloth takes in each of n stereo pairs."""
+
+    tips: dict[str, TipErrors]
+    cost: Array
+
+
+def bound_of(session: Path, colours: str, progress: Callable[[float], None]) -> Bound:
+    """Tracks a session with the true silhouettes of its (first) hand, in all images, instead of the
+    cloth of the images.
+
+    Raises ConfigError for a session without a true hand, and FileError if it cannot be tracked.
+    """
+    texts = by_side.replacements(TrackOptions(colours=colours), False)
+    with SessionReader(session, {name: r.text for name, r in texts.items()}) as reader:
+        info, rig, names = reader.info, reader.rig(), reader.info.keypoint_names
+        true = list(reader.truth())
+        settled = reader.anchor.monotonic(reader.span_ns[0]) + SETTLED
+        if not true or rig is None:
+            raise ConfigError(notice("evaluation.no_truth", file=session.name))
+        times, known = np.array([e.t for e in true]), {_instant(e): e for e in true}
+        run, compared = Pipeline(info.hand, info.glove, rig), []
+        cost = _timed(run)
+        for message in recorded_messages(reader):
+            if isinstance(message, BlobFrame):
+                k = int(np.argmin(np.abs(times - message.t)))
+                hand = capsules(true[k].keypoints, names, info.hand)
+                shown = with_silhouettes(message, hand, rig, message.pose or rig.pose)
+                run.feed_frame(shown)
+                run.take_results()
+                progress(min(k / len(true), 1.0))
+            elif isinstance(message, CameraImuSample):
+                run.feed_camera_imu(message)
+            elif isinstance(message, ImuSample):
+                estimate = run.feed_imu(message)
+                if estimate.t >= settled and _instant(estimate) in known:
+                    compared.append((estimate, known[_instant(estimate)]))
+    return Bound(errors_of(compared, names), np.array(cost))
+
+
+def _timed(run: Pipeline) -> list[float]:
+    """The processor times (s) of the evaluations of the cloth, as they are made."""
+    engine, times = run.engine, []
+    if not isinstance(engine, ChainEngine):
+        return []
+    measure = engine.tracker.measure_cloth
+
+    def timed(image: SeenImage) -> None:
+        started = time.thread_time()
+        measure(image)
+        times.append(time.thread_time() - started)
+
+    engine.tracker.measure_cloth = timed  # type: ignore[method-assign]
+    return times
 
 
 def errors_of(

@@ -8,29 +8,68 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from extensions.evaluation.fingers.command import rows_of, table
+from extensions.evaluation.fingers.command import CLOTH, WITHOUT, rows_of, table
+from extensions.evaluation.fingers.silhouettes import as_cloth, capsules, silhouette
 from extensions.evaluation.fingers.trial import TIPS, TipErrors
 from tracker.cli import main
+from tracker.hand.model import HandModel
+from tracker.hand.names import CHAINS, FINGERS
+from tracker.messages import CameraPose
+from tracker.vision.cloth import INSIDE, STEP, cloth_at, cloth_map
+from tracker.vision.rig import ideal_rig
 
 
 def test_rows_separate_the_states_and_pool_the_sessions() -> None:
     seen = TipErrors(np.array([0.004, 0.03]), np.array([0.003, 0.02]), np.array([True, False]))
     hidden = TipErrors(np.array([0.05]), np.array([0.01]), np.array([False]))
-    (row,) = rows_of([{"ring_tip": seen}, {"ring_tip": hidden}], cloth=True)
+    (row,) = rows_of([{"ring_tip": seen}, {"ring_tip": hidden}], cloth="with")
     assert (row.tip, row.error_mm) == ("ring_tip", pytest.approx(28.0))
     assert row[3:] == pytest.approx((1 / 3, 4.0, 40.0, 2 / 3))
-    (other,) = rows_of([{"ring_tip": hidden}], cloth=False)
+    (other,) = rows_of([{"ring_tip": hidden}], cloth="without")
     assert other.measured_mm is None
     assert [line.split()[1] for line in table([row, other])[1:]] == ["with", "without"]
 
 
-def test_sessions_without_cloth_are_tracked_the_same_both_times(tmp_path: Path) -> None:
+def test_sessions_without_cloth_are_tracked_the_same_both_times_and_with_silhouettes(
+    tmp_path: Path,
+) -> None:
+    """True silhouettes show the ring finger of a session that has only blobs."""
     session, out = tmp_path / "s.mcap", tmp_path / "rows.json"
     short = ["--blobs-only", "--duration", "2.5", "--fps", "15"]
     assert main(["simulate", "-o", str(session), *short]) == 0
     assert main(["evaluate", "fingers", str(session), "--json", str(out)]) == 0
-    rows = json.loads(out.read_text())["rows"]
-    assert [(r["tip"], r["cloth"]) for r in rows] == [(t, c) for c in (False, True) for t in TIPS]
-    for with_cloth, without in zip(rows[5:], rows[:5], strict=True):
-        assert {**with_cloth, "cloth": False} == without
+    report = json.loads(out.read_text())
+    rows = report["rows"]
+    assert [(r["tip"], r["cloth"]) for r in rows] == [(t, c) for c in CLOTH for t in TIPS]
+    for with_cloth, without in zip(rows[5:10], rows[:5], strict=True):
+        assert {**with_cloth, "cloth": WITHOUT} == without
         assert with_cloth["measured"] == 0.0 or "ring" not in with_cloth["tip"]
+    without, bound = ({r["tip"]: r["error_mm"] for r in part} for part in (rows[:5], rows[10:]))
+    assert bound["ring_tip"] < 0.95 * without["ring_tip"]
+    assert report["cost"]["pairs"] > 20
+    assert 0.0 < report["cost"]["median_ms"] <= report["cost"]["p99_ms"]
+
+
+@pytest.mark.parametrize("right", [False, True])
+def test_a_silhouette_is_where_the_true_hand_is(hand: HandModel, right: bool) -> None:
+    """On its last segments, and neither beyond nor beside them."""
+    rig = ideal_rig(pose=CameraPose(np.diag([1.0, -1.0, -1.0]), np.array([0.09, 0.0, 0.42])))
+    R, p = hand.forward(np.zeros(len(hand.joint_names)), np.eye(3), np.zeros(3))
+    ends, radius = capsules(hand.keypoints(R, p), hand.keypoint_names, hand)
+    in_C = (ends - rig.pose.p_GC) @ rig.pose.R_GC
+    mask = silhouette(in_C, radius, rig, right)
+    tips = {f: hand.index[CHAINS[f][2]] for f in FINGERS}
+    for finger, s in tips.items():
+        length, r, along = hand.segments[s].length, hand.segments[s].radius, R[s][:, 0]
+        points = [(p[s] + 0.5 * length * along, True), (p[s] + 1.3 * length * along, False)]
+        if finger in ("index", "little"):  # nothing is beside them
+            other = tips["middle" if finger == "index" else "ring"]
+            away = p[s] - p[other] - along * (along @ (p[s] - p[other]))
+            points.append((points[0][0] + 1.6 * r * away / np.linalg.norm(away), False))
+        for point, covered in points:
+            u, v = rig.project(((point - rig.pose.p_GC) @ rig.pose.R_GC)[None], right)[0]
+            assert mask[int(v / STEP + 0.5), int(u / STEP + 0.5)] == covered, finger
+    cloth = as_cloth(mask)
+    again = [cloth_at(cloth_map(cloth), STEP * u, STEP * v) for v, u in np.argwhere(mask)[::97]]
+    assert again == [INSIDE] * len(again)
+    assert np.mean(mask) < 0.3

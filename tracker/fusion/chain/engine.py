@@ -172,6 +172,11 @@ class ChainEngine(Engine):
     # ---- properties
 
     @property
+    def tracker(self) -> ChainTracker:
+        """The tracker of the one hand, for measurements of it."""
+        return self._tracker
+
+    @property
     def layout(self) -> ChainLayout:
         """The rows of states and profiles."""
         return self._layout

@@ -149,7 +149,7 @@ class ChainTracker:
             self._measure_size(image, place_in_image(self.state, rows, dx) if enough else None)
         if enough:
             self.confidence.held(frame.t)
-            self._look_for_tips(image)
+            self.measure_cloth(image)
         self._judge.judge(frame.t, enough)
         followed = image.is_mono or self._recognition.is_followed(image, found)
         likely = followed and self._recognition.is_likely(image, found, seen, self._judge.is_sure)
@@ -189,7 +189,7 @@ class ChainTracker:
         """With one camera: the size by motion, of a hand at ``place`` (3,) m."""
         self.wearer.calibration.measure_size(self.state, image.pose, place, self._buffer)
 
-    def _look_for_tips(self, image: SeenImage) -> None:
+    def measure_cloth(self, image: SeenImage) -> None:
         """Measure the end joints, and fingers without sensors, in the outline of the glove. Where
         images are dense, each image measures what has waited longest, so that packets wait less."""
         own, t, seen = self.wearer.guided.synergies, self.state.t, (image.frame, image.pose)
