@@ -124,7 +124,6 @@ class LiveTracker:
         """On a simulated wearer, glove and camera, which run in processes of their own.
 
         ``hands``: ``right``, ``left`` or ``both``; without a ``camera`` the hand has no position.
-        In a script call it under ``if __name__ == "__main__":``, as all of multiprocessing.
         """
         return cls(simulated_devices(seed, fps, hands, camera), engine)
 
