@@ -67,27 +67,34 @@ class MotionWindow:
 
     def integrate(self, way: Intervals, imu: int) -> bool:
         """Continues through the packets of one IMU; False where some are missing (eq. 78)."""
-        for k in range(len(way.stop)):
-            if not way.valid[k, imu]:
-                return False
-            dt = float(way.stop[k] - way.start[k])
-            turned = (way.gyro[k, imu] - self.bg) * dt
-            R = self.R_GI @ so3.exp(turned / 2)
-            step = np.zeros((3, COLUMNS))
-            step[:, GYRO_BIAS] = R * dt
-            step[:, GYRO_AXES] = np.kron(way.gyro[k, imu] * dt, R)
-            force = R @ way.accel[k, imu] * dt
-            moved = force + GRAVITY_G * dt
-            faster = -so3.skew(force) @ (self.turn + step / 2)
-            faster[:, SCALE] = moved
-            faster[:, ACCEL_BIAS] += R * dt
-            faster[:, TILT:] = -so3.skew(moved)
-            self.place = self.place + self.velocity * dt + faster * (dt / 2)
-            self.velocity = self.velocity + faster
-            self.turn = self.turn + step
-            self.R_GI = self.R_GI @ so3.exp(turned)
-        if len(way.stop):
-            self.t = float(way.stop[-1])
+        if not way.valid[:, imu].all():
+            return False
+        dt = (way.stop - way.start)[:, None]
+        if not len(dt):
+            return True
+        turned = (way.gyro[:, imu] - self.bg) * dt
+        # 1. orientations: R (k, 3, 3) in the middle of each interval
+        R, half, whole = np.empty((len(dt), 3, 3)), so3.exp(turned / 2), so3.exp(turned)
+        for k in range(len(dt)):
+            R[k] = self.R_GI @ half[k]
+            self.R_GI = self.R_GI @ whole[k]
+        # 2. what each unknown adds to rotation, velocity and place
+        force = np.einsum("kij,kj->ki", R, way.accel[:, imu] * dt)
+        moved = force + GRAVITY_G * dt
+        step, faster = np.zeros((2, len(dt), 3, COLUMNS))
+        step[..., GYRO_BIAS] = R * dt[..., None]
+        for axis in range(3):
+            columns = slice(GYRO_AXES.start + 3 * axis, GYRO_AXES.start + 3 * axis + 3)
+            step[..., columns] = R * (way.gyro[:, imu, axis, None] * dt)[..., None]
+        turns = self.turn + np.cumsum(step, axis=0)
+        faster[...] = -so3.skew(force) @ (turns - step / 2)
+        faster[..., SCALE] = moved
+        faster[..., ACCEL_BIAS] += R * dt[..., None]
+        faster[..., TILT:] = -so3.skew(moved)
+        velocities = self.velocity + np.cumsum(faster, axis=0)
+        farther = (velocities - faster / 2) * dt[..., None]
+        self.place = self.place + farther.sum(axis=0)
+        self.velocity, self.turn, self.t = velocities[-1], turns[-1], float(way.stop[-1])
         return True
 
     def add(self, seen: Array) -> None:
