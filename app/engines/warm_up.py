@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-from app.widgets.view3d.orbit import Orbit
-from app.widgets.view3d.raster.scene import RasterScene
-from app.widgets.view3d.scene import BodyLook
-from app.widgets.view3d.shapes import ball
 from tracker import kernels
 from tracker.engine.pipeline import Pipeline
 from tracker.glove import library
@@ -49,6 +45,12 @@ def warm_up(hand: HandModel, glove: GloveModel, detector: Detector) -> None:
 def warm_up_view() -> None:
     """Render a sphere, so that the kernels of the 3D view are compiled."""
     if not kernels.are_compiled():
+        # deferred: the process that tracks has no window
+        from app.widgets.view3d.orbit import Orbit
+        from app.widgets.view3d.raster.scene import RasterScene
+        from app.widgets.view3d.scene import BodyLook
+        from app.widgets.view3d.shapes import ball
+
         scene = RasterScene()
         scene.add(ball(0.01), BodyLook("#FFFFFF"))
         scene.render(Orbit(), 2, 2)
