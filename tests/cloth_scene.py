@@ -1,5 +1,7 @@
 """A drawn hand whose ring and little finger only the glove's cloth shows."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -20,6 +22,8 @@ from tracker.vision.rig import StereoRig, default_pose, ideal_rig
 CAMERA = CameraPose(default_pose().R_GC, np.array([-0.11, 0.0, 0.37]))
 IMAGES = 4
 TIPS = "ring_tip", "little_tip"
+Capsule = tuple[Array, Array, float]
+"""Both ends (3,) m in G, and the radius, m."""
 
 
 def outline(hand: HandModel, rig: StereoRig, R: Array, p: Array, right: bool) -> NDArray[np.bool_]:
@@ -68,25 +72,43 @@ class Scene:
         s = hand.index[name.replace("tip", "distal")]
         return self.p[s] + self.R[s][:, 0] * hand.segments[s].length
 
-    def image(self, right: bool, radius: float) -> Blobs:
-        """The outline of the whole hand, and of a disc of cloth of this radius, m, between the
-        tips of the ring and the little finger."""
+    def image(self, right: bool, radius: float, beside: Sequence[Capsule] = ()) -> Blobs:
+        """The outline of the whole hand, of a disc of cloth of this radius, m, between the tips of
+        the ring and the little finger, and of capsules ``beside`` them."""
         mask = outline(self.layout.hand, self.rig, self.R, self.p, right)
         middle = (np.mean([self.tip(n) for n in TIPS], axis=0) - CAMERA.p_GC) @ CAMERA.R_GC
         x, y = looked_at(self.rig.left.height, self.rig.left.width)
         u, v = self.rig.project(middle[None], right)[0]
         mask |= np.hypot(x - u, y - v) * middle[2] / self.rig.fx < radius
+        for start, end, r in beside:
+            p_C = (np.stack([start, end]) - CAMERA.p_GC) @ CAMERA.R_GC
+            (u, v), b = self.rig.project(p_C, right)
+            du, dv = b - (u, v)
+            t = np.clip(((x - u) * du + (y - v) * dv) / (du**2 + dv**2 + 1e-9), 0.0, 1.0)
+            away = np.hypot(x - u - t * du, y - v - t * dv)
+            mask |= away <= r * self.rig.fx / p_C[:, 2].mean()
         none = Blobs.empty()
         return Blobs(none.uv, none.size, none.hue, none.score, cloth_of(mask))
 
-    def look(self, radius: float = 0.0) -> Estimate:
-        left, right = (self.image(side, radius) for side in (False, True))
+    def look(self, radius: float = 0.0, beside: Sequence[Capsule] = ()) -> Estimate:
+        left, right = (self.image(side, radius, beside) for side in (False, True))
         for _ in range(IMAGES):
             self.state.t += 1.1 * APART
             self.fingers.image(
                 self.state, BlobFrame(self.state.t, self.state.t, (), left, right), CAMERA
             )
         return self.estimate()
+
+    def capsules(self, offset: Array) -> list[Capsule]:
+        """The segments of the hand, displaced by ``offset`` (3,) m in G: another one, or a shadow
+        on a surface."""
+        found = []
+        for k, s in enumerate(self.layout.hand.segments):
+            half = max(s.width / 2 - s.radius, 0.0)
+            for side in np.linspace(-half, half, 5 if half else 1):
+                a = self.p[k] + self.R[k] @ np.array([0.0, side, 0.0]) + offset
+                found.append((a, a + self.R[k][:, 0] * s.length, s.radius))
+        return found
 
     def estimate(self) -> Estimate:
         sensed = Sensed(np.ones(len(self.layout.active), np.int64), Tracking.TRACKING)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from tests.cloth_masks import cloth_of
-from tests.cloth_scene import CAMERA, TIPS, Scene, outline
+from tests.cloth_scene import CAMERA, TIPS, Capsule, Scene, outline
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
 from tracker.fusion.chain.cloth_fingers import LASTS
@@ -82,6 +82,44 @@ def test_fingers_that_merge_with_an_object_stay_near_their_neighbours_posture(
         off, sd, _ = scene.point(after, name)
         assert off < 3 * sd
         assert sd >= scene.point(before, name)[1]
+
+
+def disturbances(scene: Scene) -> dict[str, list[Capsule]]:
+    """Other things of the glove's colour next to a hand."""
+    hand = scene.layout.hand
+    wrist, (X, Y, Z) = scene.p[hand.root], scene.R[hand.root].T
+    knuckles = [scene.p[hand.index[f"{f}_proximal"]] for f in ("index", "little")]
+    out = (knuckles[1] - knuckles[0]) / np.linalg.norm(knuckles[1] - knuckles[0])
+    sides = [wrist + 0.03 * X + side * Y for side in (-0.03, 0.0, 0.03)]
+    tips = scene.tip("index_tip"), scene.tip("little_tip")
+    in_palm = knuckles[1] + 0.03 * X - 0.03 * Z
+    return {
+        "a sleeve": [(side, side - 0.2 * X, 0.035) for side in sides],
+        "a second glove": scene.capsules(0.09 * out),
+        "a second glove across": scene.capsules(0.05 * out + 0.06 * X - 0.03 * Z),
+        "a pen across the tips": [(tips[0] - 0.04 * out, tips[1] + 0.08 * out, 0.005)],
+        "a ball in the hand": [(in_palm, in_palm, 0.035)],
+        "a shadow": scene.capsules(-0.1 * Z + 0.05 * out + 0.03 * X),
+    }
+
+
+@pytest.mark.parametrize("bent", [(40.0, 50.0), (-10.0, 20.0)])
+def test_nothing_false_is_measured_beside_other_things_of_the_gloves_colour(
+    hand: HandModel, glove: GloveModel, bent: tuple[float, float]
+) -> None:
+    ring = (0.0, 0.0) if bent[0] > 0.0 else (30.0, 30.0)
+    plain = Scene(hand, glove, {"ring": ring, "little": bent})
+    seen = {name: plain.point(plain.look(), name)[2] for name in TIPS}
+    assert int(Validity.MEASURED) in seen.values()
+    for name, beside in disturbances(plain).items():
+        scene = Scene(hand, glove, {"ring": ring, "little": bent})
+        found = scene.look(beside=beside)
+        for tip in TIPS:
+            off, sd, state = scene.point(found, tip)
+            assert off < 3 * sd, (name, tip)
+            assert state != int(Validity.MEASURED) or off < 0.025, (name, tip)
+            if name == "a sleeve":
+                assert state == seen[tip]
 
 
 def test_fingers_under_the_palm_are_inferred_where_their_neighbour_is_extended(

@@ -86,9 +86,11 @@ def drawn(rig: StereoRig, ends: Array, radius: Array, right: bool) -> Blobs:
     return Blobs(none.uv, none.size, none.hue, none.score, cloth_of(mask))
 
 
-def seen(worn: Worn, rig: StereoRig, state: ChainState, k: int, bent: float, t: float) -> BlobFrame:
+def seen(
+    worn: Worn, rig: StereoRig, state: ChainState, k: int, bent: float, t: float, beside: str = ""
+) -> BlobFrame:
     """What cameras see of a gloved hand whose digit ``k`` bends its end joint ``bent`` rad beyond
-    its synergy."""
+    its synergy; ``beside`` it is another thing of the glove's colour."""
     hand, rows = worn.distal._layout.hand, [d.segment for d in worn.distal.digits]
     first = np.flatnonzero(hand.parent == hand.root).tolist()
     unsensed = [i for i in first if i not in worn.distal._layout.row_of]
@@ -106,6 +108,14 @@ def seen(worn: Worn, rig: StereoRig, state: ChainState, k: int, bent: float, t: 
     back = radius[1] / np.linalg.norm(axis, axis=1)
     last[:, 1] -= back[:, None] * axis
     thick = np.concatenate([radius[0], radius[1] + 0.001])
+    if beside:
+        tip = last[k, 1]
+        ends, thickness = {
+            "a pen": (np.array([[tip - [0.03, 0.0, 0.0], tip + [0.1, 0.0, 0.0]]]), [0.005]),
+            "a bar": (np.array([[tip - [0.0, 0.08, 0.0], tip + [0.0, 0.08, 0.0]]]), [0.013]),
+            "a shadow": (p_C + [0.01, 0.015, 0.03], thick),
+        }[beside]
+        p_C, thick = np.concatenate([p_C, ends]), np.concatenate([thick, thickness])
     left, right = (drawn(rig, p_C, thick, side) for side in (False, True))
     return BlobFrame(t, t, (), left, right)
 
@@ -200,6 +210,26 @@ def test_the_uncertainty_of_older_recordings_starts_with_that_of_people(
         one.look(flat, image)
     assert np.array_equal(other.tips.saved.P, worn.tips.saved.P)
     assert 0.0 < other.tips.saved.measured[0] < worn.tips.saved.measured[0]
+
+
+@pytest.mark.parametrize("beside", ["a pen", "a bar", "a shadow"])
+@pytest.mark.parametrize("k", [0, 1])
+def test_nothing_false_is_claimed_beside_other_things_of_the_gloves_colour(
+    layout: ChainLayout, rig: StereoRig, flat: ChainState, k: int, beside: str
+) -> None:
+    """Of the thumb in side view, and of the index finger that points away from the camera."""
+    worn = Worn(layout, rig)
+    own = Synergies(worn.own.value.copy(), worn.own.P)
+    own.value[k, OFFSET] += BENT
+    digit = worn.distal.digits[k]
+    end = np.array([layout.hand.segments[digit.segment].length, 0, 0])
+    true = worn.distal.point(flat, own, digit.name, end).p
+    image = seen(worn, rig, flat, k, BENT, 0.0, beside)
+    for n in range(6):
+        flat.t = 1.1 * APART * n
+        worn.look(flat, image)
+    sd = worn.shown.confidence.ends(flat)[len(layout.active) + k]
+    assert np.linalg.norm(worn.tip(flat, k) - true) < 3.0 * sd
 
 
 def test_cloth_that_is_everywhere_changes_nothing(
