@@ -16,6 +16,7 @@ from tests import crash_traces
 from tests import kernel_twins  # before the kernels
 
 from tests.live_recordings import LiveRecordings
+from tests.simulated_sessions import SimulatedSessions
 from tests.streaming.recorded_hand import RecordedHand
 from tracker.glove.files import load_glove
 from tracker.glove.model import GloveModel
@@ -91,10 +92,22 @@ def distal_glove(hand: HandModel) -> GloveModel:
 
 
 @pytest.fixture(scope="session")
-def live_recordings(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> LiveRecordings:
-    """Recordings that the application writes, made once for all processes of a run."""
+def shared_folder(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Path:
+    """Of all processes of a run; for `made_once`."""
     folder = tmp_path_factory.getbasetemp()
-    return LiveRecordings((folder if worker_id == "master" else folder.parent) / "live")
+    return folder if worker_id == "master" else folder.parent
+
+
+@pytest.fixture(scope="session")
+def live_recordings(shared_folder: Path) -> LiveRecordings:
+    """Recordings that the application writes, made once for all processes of a run."""
+    return LiveRecordings(shared_folder / "live")
+
+
+@pytest.fixture(scope="session")
+def simulated_sessions(shared_folder: Path) -> SimulatedSessions:
+    """Simulated sessions, made once for all processes of a run."""
+    return SimulatedSessions(shared_folder / "simulated")
 
 
 @pytest.fixture(scope="session")

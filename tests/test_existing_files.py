@@ -22,6 +22,7 @@ from app.window import remote_command
 from app.window.report_files import check_report, report_paths
 from extensions.movement.tests.arm import BODY
 from tests.gui.environments import without_screen
+from tests.made_once import made_once
 from tests.notices import raises
 from tracker.base.errors import FileError
 from tracker.offline import colours as offline_colours
@@ -56,17 +57,26 @@ class Sessions(NamedTuple):
     tracked: Path
     again: Path
     table: Path
+    arm: Path  # the model of one
+
+    @classmethod
+    def in_folder(cls, folder: Path) -> Sessions:
+        names = ("raw.mcap", "tracked.mcap", "again.mcap", "imu.csv", "arm.osim")
+        return cls(*(folder / name for name in names))
 
 
 @pytest.fixture(scope="module")
-def sessions(tmp_path_factory: pytest.TempPathFactory) -> Sessions:
-    folder = tmp_path_factory.mktemp("sessions")
-    found = Sessions(*(folder / n for n in ("raw.mcap", "tracked.mcap", "again.mcap", "imu.csv")))
-    run("simulate", "-o", found.raw, "--duration", 4, "--fps", 10)
-    run("track", found.raw, "-o", found.tracked, "--with-sensors")
-    run("track", found.raw, "-o", found.again, "--engine", "vist")
-    run("export", found.tracked, "--format", "imu.csv", "-o", found.table)
-    return found
+def sessions(shared_folder: Path) -> Sessions:
+    return Sessions.in_folder(made_once(shared_folder / "existing", make_sessions))
+
+
+def make_sessions(folder: Path) -> None:
+    made = Sessions.in_folder(folder)
+    run("simulate", "-o", made.raw, "--duration", 4, "--fps", 10)
+    run("track", made.raw, "-o", made.tracked, "--with-sensors")
+    run("track", made.raw, "-o", made.again, "--engine", "vist")
+    run("export", made.tracked, "--format", "imu.csv", "-o", made.table)
+    made.arm.write_text(BODY, "utf-8")
 
 
 def run(*words: object, allowed: tuple[int, ...] = (0,)) -> int:
@@ -75,13 +85,6 @@ def run(*words: object, allowed: tuple[int, ...] = (0,)) -> int:
     status = tracker.cli.main(argv)
     assert status in allowed, argv
     return status
-
-
-def arm(beside: Path) -> Path:
-    """The model of an arm."""
-    path = beside.with_name("arm.osim")
-    path.write_text(BODY, "utf-8")
-    return path
 
 
 Words = Callable[[Sessions, Path], list[object]]
@@ -107,7 +110,7 @@ CASES: dict[str, Words] = {
     "verify": lambda s, f: [s.tracked, "--json", f / "j.json"],
     "recover": lambda s, f: [s.tracked, "-o", f / "o.mcap", "--json", f / "j.json"],
     "opensim-body": lambda s, f: [
-        *(s.tracked, "--body", arm(s.raw), "-o", f / "o.osim", "--json", f / "j.json")
+        *(s.tracked, "--body", s.arm, "-o", f / "o.osim", "--json", f / "j.json")
     ],
     "report": lambda s, f: [s.tracked, "-o", f / "r.html", "--json", f / "j.json"],
     "compare": lambda s, f: [
@@ -226,7 +229,7 @@ def test_every_option_is_known_to_write_or_not_to() -> None:
 
 
 def test_every_option_that_writes_is_tried(tmp_path: Path) -> None:
-    paths = Sessions(*[tmp_path] * 4)
+    paths = Sessions(*[tmp_path] * len(Sessions._fields))
     for command, names in text_options():
         if not WRITTEN & set(names) or (command, names[-1]) in ELSEWHERE:
             continue

@@ -14,9 +14,6 @@ from app.viewmodels.gaps import INTERPOLATED, KINDS
 from tests.offline.test_fill import without_estimates
 from tracker.base.files import sha256
 from tracker.messages import Tracking, Validity
-from tracker.offline.options import TrackOptions
-from tracker.offline.simulate import SimulateOptions, simulate
-from tracker.offline.track import track
 from tracker.session.reader import SessionReader
 
 CUTS = ((1.0, 1.15), (2.0, 2.3))  # s without estimates
@@ -24,11 +21,9 @@ PAGE = 2  # of the library
 
 
 @pytest.fixture(scope="module")
-def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def made(tmp_path_factory: pytest.TempPathFactory, simulated_sessions) -> Path:
     folder = tmp_path_factory.mktemp("gaps")
-    simulate(folder / "s.mcap", SimulateOptions(seed=3, duration=3.0, fps=30, images=False))
-    track(folder / "s.mcap", folder / "whole.mcap", TrackOptions("chain", with_sensors=True))
-    return without_estimates(folder / "whole.mcap", folder / "cut.mcap", CUTS)
+    return without_estimates(simulated_sessions.tracked(), folder / "cut.mcap", CUTS)
 
 
 @pytest.fixture

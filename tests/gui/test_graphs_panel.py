@@ -19,9 +19,6 @@ from app.window.main_window import MainWindow
 from tests.gui.gui_fakes import ScriptedEngine, models
 from tracker import GRAVITY
 from tracker.messages import BlobFrame, ImuSample
-from tracker.offline.options import TrackOptions
-from tracker.offline.simulate import SimulateOptions, simulate
-from tracker.offline.track import track
 from tracker.session.motion import read_take
 from tracker.session.reader import SessionReader
 
@@ -260,10 +257,10 @@ def test_hidden_graphs_compute_nothing(graphs, live, engine, monkeypatch, qtbot)
     qtbot.waitUntil(lambda: bool(asked))
 
 
-def test_a_replay_shows_the_whole_recording_and_a_click_goes_there(window, qtbot, tmp_path):
-    simulated, tracked = tmp_path / "simulated.mcap", tmp_path / "tracked.mcap"
-    simulate(simulated, SimulateOptions(seed=3, duration=3.0, fps=30, images=False))
-    track(simulated, tracked, TrackOptions("chain", with_sensors=True))
+def test_a_replay_shows_the_whole_recording_and_a_click_goes_there(
+    window, qtbot, simulated_sessions
+):
+    tracked = simulated_sessions.tracked()
     window.host.adopt(open_replay(tracked, lambda *_: None))
     window.show_panel("graphs")
     graphs = window.panels["graphs"]

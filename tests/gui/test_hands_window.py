@@ -17,10 +17,8 @@ from app.storage.settings import AppSettings
 from app.viewmodels.camera_overlay import Layers, overlay
 from app.viewmodels.colours import hue_colours
 from app.wizards.glove.feed import InstructedWearer
+from tests.simulated_sessions import BOTH
 from tracker.glove import library
-from tracker.offline.options import TrackOptions
-from tracker.offline.simulate import SimulateOptions, simulate
-from tracker.offline.track import track
 from tracker.sensors.glove_port import GlovePort
 from tracker.sensors.serial_line import UsbPort
 from tracker.session.motion import read_take
@@ -35,13 +33,9 @@ BOUND = {
 
 
 @pytest.fixture(scope="module")
-def session(tmp_path_factory):
+def session(simulated_sessions):
     """Two simulated hands, tracked, with what the sensors gave."""
-    folder = tmp_path_factory.mktemp("both")
-    options = SimulateOptions(hands="both", seed=3, duration=2.5, fps=30.0, images=False)
-    simulate(folder / "both.mcap", options)
-    track(folder / "both.mcap", folder / "tracked.mcap", TrackOptions(with_sensors=True))
-    return folder / "tracked.mcap"
+    return simulated_sessions.tracked(BOTH)
 
 
 @pytest.fixture

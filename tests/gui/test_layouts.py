@@ -12,7 +12,6 @@ from app.window.layouts import jobs_for, shares_of
 from app.window.main_window import MainWindow
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 from tests.gui.patience import settled
-from tracker.offline.simulate import SimulateOptions, simulate
 
 JOB_OF = jobs_for(panel_kinds())
 JOBS = list(JOB_OF.values())
@@ -195,19 +194,12 @@ def test_the_window_is_never_larger_than_its_screen(window):
     assert fresh.width() <= room.width() and fresh.height() <= room.height()
 
 
-@pytest.fixture(scope="module")
-def simulated(tmp_path_factory):
-    path = tmp_path_factory.mktemp("simulated") / "P01_pinch.mcap"
-    simulate(path, SimulateOptions(seed=3, duration=2.0, fps=30, images=False))
-    return path
-
-
 @pytest.fixture
-def session(simulated, tmp_path):
-    """A recording of two seconds."""
+def session(simulated_sessions, tmp_path):
+    """A recording of three seconds."""
     folder = tmp_path / "sessions"
     folder.mkdir()
-    return Path(shutil.copy(simulated, folder))
+    return Path(shutil.copy(simulated_sessions.simulated(), folder / "P01_pinch.mcap"))
 
 
 def open_replay_of(window, session, qtbot) -> None:

@@ -4,6 +4,7 @@ import csv
 import shutil
 import threading
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
@@ -17,35 +18,32 @@ from app.panels.library.track_dialog import TrackDialog
 from app.platform.tasks import JobProgress, TaskOwner
 from app.viewmodels.compare import Comparison, summary
 from app.viewmodels.library import session_row
+from tests.made_once import made_once
 from tests.notices import shows
 from tracker.messages import Estimate
 from tracker.offline.options import USUAL, TrackOptions
-from tracker.offline.simulate import SimulateOptions, simulate
-from tracker.offline.track import track
 from tracker.session.compare import compare
 from tracker.session.reader import SessionReader
 from tracker.session.writer import RecorderParams, SessionRecorder
 
-SECONDS = 3.0
-
 
 @pytest.fixture(scope="session")
-def recorded(tmp_path_factory):
+def recorded(shared_folder, simulated_sessions):
     """A session like one of the demo: sensors, `chain`'s estimates, the truth."""
-    folder = tmp_path_factory.mktemp("library")
-    simulated, tracked = folder / "simulated.mcap", folder / "tracked.mcap"
-    simulate(simulated, SimulateOptions(seed=3, duration=SECONDS, fps=30, images=False))
-    track(simulated, tracked, TrackOptions("chain", with_sensors=True))
-    whole = folder / "whole.mcap"
-    with SessionReader(tracked) as reader:
-        info = replace(reader.info, rig=reader.rig(), participant="P01")
-        with SessionRecorder(whole, info, RecorderParams(sync=False)) as recorder:
-            for message in reader.messages():
-                recorder.write(message)
-            with SessionReader(simulated) as source:
-                for true in source.truth():
-                    recorder.write_truth(true)
-    return whole
+    simulated, tracked = simulated_sessions.simulated(), simulated_sessions.tracked()
+
+    def make(folder: Path) -> None:
+        with SessionReader(tracked) as reader:
+            info = replace(reader.info, rig=reader.rig(), participant="P01")
+            params = RecorderParams(sync=False)
+            with SessionRecorder(folder / "whole.mcap", info, params) as recorder:
+                for message in reader.messages():
+                    recorder.write(message)
+                with SessionReader(simulated) as source:
+                    for true in source.truth():
+                        recorder.write_truth(true)
+
+    return made_once(shared_folder / "library", make) / "whole.mcap"
 
 
 @pytest.fixture

@@ -12,9 +12,6 @@ from PySide6.QtGui import QGuiApplication
 from app.engines.replay.engine import open_replay
 from app.panels.motion.table import BAR, RANGE, SHARE, VALUE
 from tests.gui.gui_fakes import ScriptedEngine
-from tracker.offline.options import TrackOptions
-from tracker.offline.simulate import SimulateOptions, simulate
-from tracker.offline.track import track
 from tracker.session.motion import read_take
 from tracker.session.reader import SessionReader
 
@@ -98,10 +95,10 @@ def test_the_table_is_copied_to_the_clipboard(motion):
     assert len(lines[0].split("\t")) == len(lines[1].split("\t")) == 13
 
 
-def test_a_replay_shows_the_whole_take_and_a_click_jumps(window, qtbot, tmp_path, no_leaks):
-    simulated, tracked = tmp_path / "simulated.mcap", tmp_path / "tracked.mcap"
-    simulate(simulated, SimulateOptions(seed=3, duration=3.0, fps=30, images=False))
-    track(simulated, tracked, TrackOptions("chain", with_sensors=True))
+def test_a_replay_shows_the_whole_take_and_a_click_jumps(
+    window, qtbot, tmp_path, simulated_sessions, no_leaks
+):
+    tracked = simulated_sessions.tracked()
     window.host.adopt(open_replay(tracked, lambda *_: None))
     window.show_panel("motion")
     motion = window.motion

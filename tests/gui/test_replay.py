@@ -32,7 +32,6 @@ from tracker.messages import (
 )
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
-from tracker.offline.track import track
 from tracker.session.holes import LONGEST_FILLED
 from tracker.session.images import PackedFrame
 from tracker.session.reader import SessionReader
@@ -42,14 +41,13 @@ SECONDS = 3.0
 
 
 @pytest.fixture(scope="session")
-def sessions(tmp_path_factory) -> dict[str, Path]:
+def sessions(simulated_sessions) -> dict[str, Path]:
     """One movement: as simulated (with truth), tracked by `chain` and tracked by `vist`."""
-    folder = tmp_path_factory.mktemp("sessions")
-    made = {name: folder / f"{name}.mcap" for name in ("simulated", "chain", "vist")}
-    simulate(made["simulated"], SimulateOptions(seed=3, duration=SECONDS, fps=30, images=False))
-    track(made["simulated"], made["chain"], TrackOptions("chain", with_sensors=True))
-    track(made["simulated"], made["vist"], TrackOptions("vist"))
-    return made
+    return {
+        "simulated": simulated_sessions.simulated(),
+        "chain": simulated_sessions.tracked(),
+        "vist": simulated_sessions.tracked(by=TrackOptions("vist")),
+    }
 
 
 @pytest.fixture
@@ -110,8 +108,8 @@ HOLE = (1.0, 2.0)  # s without packets and estimates, while images continue
 
 
 @pytest.fixture(scope="session")
-def holed(sessions) -> Path:
-    path = sessions["chain"].with_name("holed.mcap")
+def holed(sessions, tmp_path_factory) -> Path:
+    path = tmp_path_factory.mktemp("holed") / "holed.mcap"
     with SessionReader(sessions["chain"]) as reader:
         start = reader.anchor.monotonic(reader.span_ns[0])
         with SessionRecorder(path, reader.info) as recorder:

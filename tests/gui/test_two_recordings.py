@@ -20,9 +20,6 @@ from app.viewmodels.two_recordings import (
 )
 from tracker.messages import StereoFrame
 from tracker.offline.crop import crop
-from tracker.offline.options import TrackOptions
-from tracker.offline.simulate import SimulateOptions, simulate
-from tracker.offline.track import track
 from tracker.session.align import read_alignment
 from tracker.session.reader import SessionReader
 from tracker.session.writer import RecorderParams, SessionRecorder
@@ -32,12 +29,10 @@ JOINT = "index_mcp_flexion"
 
 
 @pytest.fixture(scope="module")
-def parts(tmp_path_factory):
+def parts(tmp_path_factory, simulated_sessions):
     """0.5 to 2 s and 0.8 to 2.4 s of one tracked session."""
     folder = tmp_path_factory.mktemp("takes")
-    simulated, tracked = folder / "simulated.mcap", folder / "tracked.mcap"
-    simulate(simulated, SimulateOptions(seed=3, duration=2.6, fps=30, images=False))
-    track(simulated, tracked, TrackOptions("chain", with_sensors=True))
+    tracked = simulated_sessions.tracked()
     crop(tracked, folder / "a.mcap", 0.5, 2.0)
     crop(tracked, folder / "b.mcap", 0.5 + LATER, 2.4)
     return folder / "a.mcap", folder / "b.mcap"

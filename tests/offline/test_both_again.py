@@ -10,6 +10,7 @@ import pytest
 
 from resources import folder
 from tests.notices import raises
+from tests.simulated_sessions import SimulatedSessions
 from tracker.base.errors import ConfigError, FileError
 from tracker.messages import Estimate
 from tracker.offline.options import TrackOptions
@@ -23,10 +24,10 @@ SIDES = ("left", "right")
 
 
 @pytest.fixture(scope="module")
-def session(tmp_path_factory) -> Path:
-    path = tmp_path_factory.mktemp("both") / "both.mcap"
-    simulate(path, SimulateOptions(hands="both", seed=5, duration=5.0, fps=30, images=False))
-    return path
+def session(simulated_sessions: SimulatedSessions) -> Path:
+    return simulated_sessions.simulated(
+        SimulateOptions(hands="both", seed=5, duration=5.0, fps=30, images=False)
+    )
 
 
 @dataclass(frozen=True)

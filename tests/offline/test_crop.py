@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from tests.notices import raises
+from tests.simulated_sessions import SimulatedSessions
 from tracker.base.errors import ConfigError, FileError
 from tracker.cli import main
 from tracker.messages import BlobFrame, Estimate, ImuSample
 from tracker.offline.crop import crop
-from tracker.offline.options import TrackOptions
-from tracker.offline.simulate import SimulateOptions, simulate
+from tracker.offline.simulate import SimulateOptions
 from tracker.offline.track import track
 from tracker.session.overview import session_summary
 from tracker.session.reader import SessionReader
@@ -21,18 +21,16 @@ SECONDS, START, STOP = 4.0, 1.5, 3.2
 
 
 @pytest.fixture(scope="module")
-def tracked(tmp_path_factory):
+def tracked(simulated_sessions: SimulatedSessions):
     """Sensors and `chain`'s estimates."""
-    folder = tmp_path_factory.mktemp("crop")
-    simulated, out = folder / "simulated.mcap", folder / "tracked.mcap"
-    simulate(simulated, SimulateOptions(seed=5, duration=SECONDS, fps=30, images=False))
-    track(simulated, out, TrackOptions("chain", with_sensors=True))
-    return out
+    return simulated_sessions.tracked(
+        SimulateOptions(seed=5, duration=SECONDS, fps=30, images=False)
+    )
 
 
 @pytest.fixture(scope="module")
-def part(tracked):
-    out = tracked.with_name("part.mcap")
+def part(tracked, tmp_path_factory):
+    out = tmp_path_factory.mktemp("crop") / "part.mcap"
     report = crop(tracked, out, START, STOP)
     assert report["engine_state"]
     return out

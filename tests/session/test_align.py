@@ -8,6 +8,7 @@ import cv2
 import numpy as np
 import pytest
 
+from tests.made_once import made_once
 from tests.notices import raises
 from tracker.base.errors import FileError
 from tracker.cli import main
@@ -24,9 +25,13 @@ CLOCK = 4.219  # s by which the second's clock is ahead
 
 
 @pytest.fixture(scope="module")
-def takes(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
+def takes(shared_folder: Path) -> tuple[Path, Path]:
     """A tracked take, and a part of it as if recorded by another computer."""
-    folder = tmp_path_factory.mktemp("align")
+    folder = made_once(shared_folder / "align", make_takes)
+    return folder / "both.mcap", folder / "b.mcap"
+
+
+def make_takes(folder: Path) -> None:
     simulate(folder / "in.mcap", SimulateOptions(images=False, duration=6.0, fps=30, seed=4))
     track(folder / "in.mcap", folder / "a.mcap")
     with SessionReader(folder / "in.mcap") as reader:
@@ -41,7 +46,6 @@ def takes(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
             for m in sorted([*imus, *found], key=lambda m: m.t):
                 if m.t >= since:
                     recorder.write(m)
-    return folder / "both.mcap", folder / "b.mcap"
 
 
 def test_alignment_by_motion_finds_the_offset_of_the_clocks(takes: tuple[Path, Path]) -> None:

@@ -12,6 +12,7 @@ import pytest
 from extensions.conformance.isaac.reader import read_records
 from extensions.conformance.run import read_take
 from extensions.movement.report.measure import measure_hands
+from tests.simulated_sessions import BOTH, SimulatedSessions
 from tracker.cli import main
 from tracker.glove.mirror import OTHER
 from tracker.messages import BlobFrame, Estimate, ImuSample, StereoFrame
@@ -23,19 +24,17 @@ from tracker.session.compare import compare, truth_error_mm
 from tracker.session.reader import SessionReader
 from tracker.session.verify import is_ok, verify
 
-OPTIONS = SimulateOptions(hands="both", seed=3, duration=3.0, fps=30.0, images=False)
+OPTIONS = BOTH
 
 
 @pytest.fixture(scope="module")
-def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    path = tmp_path_factory.mktemp("both") / "both.mcap"
-    simulate(path, OPTIONS)
-    return path
+def recorded(simulated_sessions: SimulatedSessions) -> Path:
+    return simulated_sessions.simulated(OPTIONS)
 
 
 @pytest.fixture(scope="module")
-def tracked(recorded: Path) -> Path:
-    path = recorded.with_name("tracked.mcap")
+def tracked(recorded: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("both") / "tracked.mcap"
     report = track(recorded, path, TrackOptions(with_sensors=True))
     assert set(report.hands) == {"left", "right"}
     assert all(hand.error_mm["mean"] < 15 for hand in report.hands.values())

@@ -7,8 +7,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from tests.simulated_sessions import SimulatedSessions
 from tracker.offline.crop import crop
-from tracker.offline.simulate import SimulateOptions, simulate
 
 ROOT = Path(__file__).resolve().parents[2]
 DECORATED = re.compile(r"^@record\(|^\w+ = record\(", re.MULTILINE)
@@ -53,8 +53,9 @@ def test_all_records_of_the_source_are_registered() -> None:
     assert with_all - alone == set()
 
 
-def test_a_script_that_imports_only_the_reader_reads_states(tmp_path: Path) -> None:
-    whole, part = tmp_path / "whole.mcap", tmp_path / "part.mcap"
-    simulate(whole, SimulateOptions(seed=3, duration=2.0, fps=30, images=False))
+def test_a_script_that_imports_only_the_reader_reads_states(
+    tmp_path: Path, simulated_sessions: SimulatedSessions
+) -> None:
+    whole, part = simulated_sessions.simulated(), tmp_path / "part.mcap"
     assert crop(whole, part, 1.0, None)["engine_state"], "the state at 1 s is in it"
     assert output(READ, str(part)) == "['chain']"

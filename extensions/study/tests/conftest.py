@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
-from extensions.study.folder import Study, start_study
+from extensions.study.folder import Study, open_study, start_study
 from extensions.study.headless import run_headless
 from extensions.study.tests.studies import write_protocol
 from tests.gui.conftest import no_leaks, qtbot, store, window
+from tests.made_once import made_once
 
 __all__ = ["no_leaks", "qtbot", "store", "window"]
 
 
 @pytest.fixture(scope="session")
-def short_study(tmp_path_factory: pytest.TempPathFactory) -> Study:
-    """All trials are done."""
-    folder = tmp_path_factory.mktemp("study")
-    study = start_study(write_protocol(folder), folder / "short")
-    for participant in study.protocol.participants:
-        run_headless(study.progress(participant))
-    return study
+def short_study(shared_folder: Path) -> Study:
+    """All trials are done; made once for all processes of a run."""
+
+    def make(folder: Path) -> None:
+        study = start_study(write_protocol(folder), folder / "short")
+        for participant in study.protocol.participants:
+            run_headless(study.progress(participant))
+
+    return open_study(made_once(shared_folder / "short-study", make) / "short")
