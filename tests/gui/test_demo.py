@@ -26,7 +26,7 @@ from tracker.session.recover import needs_recovery
 from tracker.simulation.gestures import tip_distances
 
 FPS = 15.0  # images are most of the work, and each is drawn, searched, shown and recorded
-WRITTEN = 500  # messages; about 300 are written in a second of the glove
+WRITTEN = 500  # messages: packets, their estimates, images and others
 
 
 class Paused:

@@ -36,10 +36,9 @@ PREDICTION_VARIANCE = np.deg2rad(1.0) ** 2 * np.eye(2)  # of the expected bend
 CLOTH = 0.001  # m, of the glove's cloth on the skin
 LEAST_VISIBLE = 0.5  # probability that a camera sees a tip, required to evaluate it
 PEOPLE = 4.0  # measured postures that what is known of people counts as
-JOINT_OFF = (
-    0.00275  # m per axis, sd of an end joint relative to where the filter has it, of what its
-)
-# covariance does not contain: lengths, places of markers and of joints
+JOINT_OFF = 0.00275
+"""m per axis, sd of an end joint relative to where the filter has it, of what the filter's
+covariance does not contain: lengths, places of markers and of joints."""
 BEND, SIDE = 0, 1
 
 
