@@ -114,7 +114,10 @@ def test_the_wearer_follows_the_guidance_and_closing_leaves_a_complete_file(
     dialog.run.poses = ("fist",)
     dialog.start()
     qtbot.waitUntil(lambda: reach(demo.host.setup.truth.at(time.monotonic())) < FIST)
-    tracked = lambda: demo.host.snapshot().estimate  # noqa: E731
+
+    def tracked() -> Estimate:
+        return demo.host.snapshot().estimate
+
     qtbot.waitUntil(lambda: reach(tracked()) < 0.5 * (FIST + OPEN))  # the devices show it too
     end = tracked().t + 1.5
     qtbot.waitUntil(lambda: tracked().t > end)
