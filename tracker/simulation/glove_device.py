@@ -14,6 +14,7 @@ import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
+from select import select
 
 import numpy as np
 
@@ -43,7 +44,7 @@ from tracker.simulation.electric import ElectricFault
 from tracker.simulation.vibration import MotorVibration
 
 GYRO_RANGE_DPS, ACCEL_RANGE_G = 2000, 16
-TICK = 0.002  # s between two polls of the line, and of the clock while nothing is due
+TICK = 0.01  # s that a wait for the host's bytes lasts at most, also while nothing is due
 MPU_9250 = 0x71
 COLD_C = 26.0
 SYSTEM_BUFFER = 65536  # bytes that the system buffers without a reader, as on Linux
@@ -102,6 +103,7 @@ class SimulatedGlove:
         self._streaming, self._seq = False, 0
         self._stopping = threading.Event()
         self._lock = threading.Lock()
+        self._rests = threading.Lock()  # held while the line is waited for; after `_lock`
         self._plug()
         self._thread = threading.Thread(target=self._run, name="glovetrack-glove-sim", daemon=True)
         self._thread.start()
@@ -131,9 +133,11 @@ class SimulatedGlove:
         """Unplug the cable: the host's port fails."""
         with self._lock:
             self._streaming = False
-            os.close(self._slave)
-            os.close(self._master)
-            self._master = self._slave = -1
+            os.write(self._slave, b"\0")  # ends the wait: until then, the system keeps the line
+            with self._rests:
+                os.close(self._slave)
+                os.close(self._master)
+                self._master = self._slave = -1
 
     def plug(self) -> None:
         """Plug in again, with a new ``path``, as for a real adapter."""
@@ -184,7 +188,8 @@ class SimulatedGlove:
         baud = self.params.wire_baud
         wire = BITS_PER_BYTE * (12 * self._imu_count + 11) / baud if baud else 0.0
         sample = next(self._source, None)
-        while not self._stopping.wait(self._pause(sample, wire)):
+        while not self._stopping.is_set():
+            self._rest(sample, wire)
             now = time.monotonic()
             with self._lock:
                 if self._master < 0:
@@ -219,10 +224,15 @@ class SimulatedGlove:
         celsius = self._temperature(np.array([now - self._t_0]))[0]
         return Temperatures(tuple(round(100 * float(c)) for c in celsius[: self._imu_count]))
 
-    def _pause(self, sample: ImuSample | None, wire: float) -> float:
-        """s until the next packet is due, or the line must be polled."""
+    def _rest(self, sample: ImuSample | None, wire: float) -> None:
+        """Wait until the next packet is due or the host has sent something, at most `TICK`."""
         due = self._t_0 + sample.t + wire - time.monotonic() if sample is not None else TICK
-        return min(max(due, 0.0), TICK)
+        remaining = min(max(due, 0.0), TICK)
+        with self._rests:
+            if self._master >= 0:
+                select([self._master], [], [], remaining)  # poll() would wait for whole ms
+                return
+        self._stopping.wait(remaining)
 
     def _skip(self, sample: ImuSample | None, now: float) -> ImuSample | None:
         """Discard samples from before a host was connected."""
