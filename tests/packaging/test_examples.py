@@ -21,6 +21,8 @@ from tracker.kernels.decorator import are_compiled
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "docs" / "examples"
+SCRIPTS = ("rerun", "ros2")
+"""Examples that are not packages."""
 LONGEST = 60
 """Lines of a plug-in that adds one thing."""
 STAGE = """
@@ -56,8 +58,6 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     subprocess.run([sys.executable, "-c", STAGE, str(site)], cwd=ROOT, check=True)
     sources = []
     for project in sorted(EXAMPLES.glob("*/pyproject.toml")):
-        if "lerobot" in project.parent.name:
-            continue  # its own test runs it with the interface of LeRobot
         sources.append(site / "sources" / project.parent.name)
         shutil.copytree(project.parent, sources[-1])
     wheels = site / "wheels"
@@ -67,6 +67,8 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     command += ["--target", str(site), *map(str, wheels.glob("*.whl"))]
     subprocess.run(command, check=True, capture_output=True)
     assert len(list(site.glob("*.dist-info"))) == len(sources) + 1
+    for name in SCRIPTS:
+        shutil.copytree(EXAMPLES / name, site / "scripts", dirs_exist_ok=True)
     return site
 
 
@@ -165,8 +167,42 @@ print(left.shape, int(right.max()), {str(tmp_path)!r} in address)
     assert found == "(48, 64, 3) 7 True"
 
 
-def test_a_stream_is_found_and_received(site: Path) -> None:
-    """By a plain socket, from the simulated hand."""
+PEERS = """
+import dataclasses, importlib, json, subprocess, sys, threading, time, types
+from unittest.mock import MagicMock
+
+class Config:
+    register_subclass = staticmethod(lambda name: lambda kind: kind)
+
+class Teleoperator:
+    def __init__(self, config):
+        pass
+
+class Error(Exception):
+    pass
+
+for name, parts in {
+    "lerobot": {}, "lerobot.teleoperators": {}, "lerobot.utils": {},
+    "lerobot.teleoperators.config": {"TeleoperatorConfig": Config},
+    "lerobot.teleoperators.teleoperator": {"Teleoperator": Teleoperator},
+    "lerobot.utils.errors": {"DeviceAlreadyConnectedError": Error,
+                             "DeviceNotConnectedError": Error},
+}.items():
+    sys.modules[name] = types.ModuleType(name)
+    vars(sys.modules[name]).update(parts)
+for name in ("rclpy", "geometry_msgs", "geometry_msgs.msg", "sensor_msgs", "sensor_msgs.msg",
+             "tf2_ros"):
+    sys.modules[name] = MagicMock()
+"""
+"""Stand-ins for LeRobot and rclpy, which are not installed: the tests of each example in
+`tests/streaming` compare all that it makes."""
+
+
+def test_streams_are_found_and_received(site: Path, tmp_path: Path) -> None:
+    """From one simulated hand: by a plain socket, LeRobot's teleoperator, the node of ROS 2, DDS
+    and Rerun."""
+    for needed in ("websockets", "cyclonedds", "rerun"):
+        pytest.importorskip(needed)
     with socket.create_server(("127.0.0.1", 0)) as server:
         server.settimeout(60)
         lines: list[str] = []
@@ -178,21 +214,103 @@ def test_a_stream_is_found_and_received(site: Path) -> None:
 
         reader = threading.Thread(target=read)
         reader.start()
+        web, udp = free_ports()
         code = f"""
-import itertools
 import glovetrack
 if __name__ == "__main__":
+    scripts = {str(site / "scripts")!r}
+    sys.path.insert(0, scripts)
+    import lerobot_teleoperator_glovetrack as robot
+    import glovetrack_dds, glovetrack_node
+    from cyclonedds.domain import DomainParticipant
+    from cyclonedds.sub import DataReader
+    from cyclonedds.topic import Topic
+    url = "ws://127.0.0.1:{web}/"
+    nodes = [threading.Thread(target=m.run, args=(url,)) for m in (glovetrack_dds, glovetrack_node)]
+    seen, out = [], dict()
     with glovetrack.LiveTracker.simulated(camera=False) as live:
-        live.publish("tcp:{server.getsockname()[1]}", joints="openxr", say=print)
-        list(itertools.islice(live, 50))
+        live.publish("tcp:{server.getsockname()[1]},websocket:{web},udp:{udp}", joints="openxr",
+                     say=print)
+        save = [scripts + "/glovetrack_rerun.py", "--port", "{udp}", "--save", "hand.rrd"]
+        rerun = subprocess.Popen([sys.executable, *save, "--messages", "3"])
+        topic = Topic(DomainParticipant(78), "rt/hand/right/joint_states",
+                      glovetrack_dds.JointState_, qos=glovetrack_dds.QOS)
+        listener = DataReader(topic.participant, topic, qos=glovetrack_dds.QOS)
+        config = robot.GlovetrackConfig()
+        config.url, config.feedback_url = url, ""
+        arm = robot.Glovetrack(config)
+        connecting = threading.Thread(target=arm.connect)
+        for thread in [*nodes, connecting]:
+            thread.start()
+        for estimate in live:
+            seen.append(estimate)
+            if not (connecting.is_alive() or out.get("robot")):
+                out["robot"] = arm.get_action()
+            state = next(iter(listener.take(1)), None)
+            if state is not None:
+                out["dds"] = dict(zip(state.name, state.position))
+            done = len(seen) > 100 and len(out) == 2 and rerun.poll() is not None
+            if done or len(seen) > 6000:
+                break
+        arm.disconnect()
+    for node in nodes:
+        node.join(10)
+        assert not node.is_alive(), "it ends with the stream"
+    assert rerun.returncode == 0
+    node = sys.modules["rclpy"].create_node.return_value
+    topics = [call.args[1] for call in node.create_publisher.call_args_list]
+    print(json.dumps([topics, out]))
 """
-        assert run(site, code) == ""
+        ended = run(site, PEERS + code, ROS_DOMAIN_ID="78")
         reader.join(10)
     hands = [json.loads(line) for line in lines]
     assert len(hands) >= 40
     assert {hand["side"] for hand in hands} == {"right"} and len(hands[0]["joints"]) == 26
     stamps = [hand["t"] for hand in hands]
     assert stamps == sorted(set(stamps))
+    topics, found = json.loads(ended.splitlines()[-1])
+    assert topics == ["/hand/right/joint_states", "/hand/right/openxr"]
+    streamed = [{n: a["value"] for n, a in hand["angles"].items()} for hand in hands]
+    robot = {name.removesuffix(".pos"): angle for name, angle in found["robot"].items()}
+    assert any(robot == known for known in streamed), "an estimate"
+    assert any(found["dds"] == known for known in streamed)
+    assert (site.parent / "hand.rrd").stat().st_size > 1000
+
+
+def free_ports() -> list[int]:
+    """A port of TCP and one of UDP."""
+    ports = []
+    for kind in (socket.SOCK_STREAM, socket.SOCK_DGRAM):
+        with socket.socket(socket.AF_INET, kind) as free:
+            free.bind(("127.0.0.1", 0))
+            ports.append(free.getsockname()[1])
+    return ports
+
+
+def test_the_notebook_runs_and_shows_the_results_in_its_text(site: Path) -> None:
+    code = """
+import ast, json
+import matplotlib
+matplotlib.use("Agg")
+space = {}
+for cell in json.load(open(NOTEBOOK, encoding="utf-8"))["cells"]:
+    if cell["cell_type"] == "code":
+        *before, last = ast.parse("".join(cell["source"])).body
+        exec(compile(ast.Module(before, []), "cell", "exec"), space)
+        if isinstance(last, ast.Expr):
+            print(repr(eval(compile(ast.Expression(last.value), "cell", "eval"), space)))
+        else:
+            exec(compile(ast.Module([last], []), "cell", "exec"), space)
+"""
+    shown = run(site, f"NOTEBOOK = {str(EXAMPLES / 'first_look.ipynb')!r}\n" + code)
+    assert "True False" in shown, "tracked again identical, by another engine not"
+    assert (site.parent / "first_look.c3d").stat().st_size > 1000
+
+
+def test_the_notebook_is_stored_without_outputs() -> None:
+    cells = json.loads((EXAMPLES / "first_look.ipynb").read_text("utf-8"))["cells"]
+    assert len({c["id"] for c in cells}) == len(cells)
+    assert all(c["outputs"] == [] for c in cells if c["cell_type"] == "code")
 
 
 def test_a_stream_without_its_package_affects_no_others(site: Path) -> None:
