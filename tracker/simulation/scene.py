@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import NamedTuple, Protocol
+from typing import NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -48,6 +48,15 @@ class Extra(Protocol):
 
     def coloured(self, t: float) -> tuple[Array, Array, tuple[str, ...]]:
         """Balls of a marker's hue: centres (n, 3) m in G, radii (n,) m, hue names."""
+        ...
+
+
+@runtime_checkable
+class MovingExtra(Protocol):
+    """An `Extra` that takes little longer for several times than for one."""
+
+    def solids_at(self, t: Array) -> list[Solids]:
+        """Its solids in G at each of the times t (n,) s."""
         ...
 
 
@@ -118,13 +127,21 @@ class SimulatedScene:
 
     def instant(self, t: float) -> SceneInstant:
         """Everything in C at the time t (s)."""
-        R_GB, p_GB, _ = self.wearer.segments(self.motion, np.array([t]))
-        parts = [self.shape.solids(R_GB[0], p_GB[0])]
-        parts += [e.solids(t, R_GB[0], p_GB[0]) for e in self.extras]
-        pose = self.pose(t)
-        R_CG, p_CG = pose.R_GC.T, -pose.R_GC.T @ pose.p_GC
-        solids = together(parts).moved(R_CG, p_CG)
-        return SceneInstant(R_CG @ R_GB[0], p_GB[0] @ R_CG.T + p_CG, solids, self.wearer.markers(t))
+        return self.instants(np.array([t]))[0]
+
+    def instants(self, t: Array) -> list[SceneInstant]:
+        """`instant` at each of the times t (n,) s."""
+        R_GB, p_GB, _ = self.wearer.segments(self.motion, t)
+        markers = self.wearer.markers_at(t)
+        extras = [_solids(e, t, R_GB, p_GB) for e in self.extras]
+        out = []
+        for k, at in enumerate(t):
+            pose = self.pose(float(at))
+            R_CG, p_CG = pose.R_GC.T, -pose.R_GC.T @ pose.p_GC
+            own = self.shape.solids(R_GB[k], p_GB[k])
+            solids = together([own, *(e[k] for e in extras)]).moved(R_CG, p_CG)
+            out.append(SceneInstant(R_CG @ R_GB[k], p_GB[k] @ R_CG.T + p_CG, solids, markers[k]))
+        return out
 
     def positions(self, t: Array) -> Array:
         """(n, S, 3) m: the origins of all segments in C at the times t (n,) s."""
@@ -176,7 +193,11 @@ class SimulatedScene:
         first = self._look(now, t, right)
         rows = np.concatenate([first[0].uv[:, 1], *(b.uv[:, 1] for b in first[1])])
         after = instants_for(rig, camera, rows)
-        looks = [self._look(self.instant(t + s), t + s, right) for s in after]
+        times = t + after
+        looks = [
+            self._look(then, float(at), right)
+            for at, then in zip(times, self.instants(times), strict=True)
+        ]
         seen, balls = [look[0] for look in looks], list(zip(*(b for _, b in looks), strict=True))
 
         def own(uv: Array) -> OwnRow:
@@ -241,6 +262,13 @@ class SimulatedScene:
         away = p_C - eye
         unit = away / np.linalg.norm(away, axis=1, keepdims=True)
         return in_sight(eye, p_C - unit * (radius[:, None] + 1e-4), now.solids)
+
+
+def _solids(extra: Extra, t: Array, R_GB: Array, p_GB: Array) -> list[Solids]:
+    """Those of an additional object at each of the times t (n,) s."""
+    if isinstance(extra, MovingExtra):
+        return extra.solids_at(t)
+    return [extra.solids(float(at), R, p) for at, R, p in zip(t, R_GB, p_GB, strict=True)]
 
 
 def inside(camera: Camera, uv: Array, extent: Array) -> NDArray[np.bool_]:

@@ -8,6 +8,9 @@ import numpy as np
 
 from tracker.messages import Array
 
+_FEW = 32
+"""Times up to which each has the same bits as when it is asked for alone: those of an image."""
+
 
 def rng_for(seed: int, *stream: int | str) -> np.random.Generator:
     """An independent generator for each named use of one seed."""
@@ -35,9 +38,7 @@ class SmoothNoise:
 
     def __call__(self, t: Array) -> Array:
         """(n, *shape) at the times t (n,) s."""
-        wave = np.exp(1j * np.multiply.outer(t, self._omega))
-        values = (wave @ self._amplitude.T).real
-        return values.reshape(len(t), *self.shape)
+        return _sum_of_waves(t, self._omega, self._amplitude).reshape(len(t), *self.shape)
 
 
 class Oscillation:
@@ -52,9 +53,17 @@ class Oscillation:
 
     def __call__(self, t: Array) -> Array:
         """(n_times, n) at the times t (s)."""
-        wave = np.exp(1j * np.multiply.outer(t, self._omega))
-        values: Array = (wave @ self._amplitude.T).real
-        return values
+        return _sum_of_waves(t, self._omega, self._amplitude)
+
+
+def _sum_of_waves(t: Array, omega: Array, amplitude: Array) -> Array:
+    """(n_times, n) at the times t (s): waves of omega (w,) rad/s and complex amplitudes (n, w)."""
+    wave = np.exp(1j * np.multiply.outer(t, omega))
+    if 1 < len(wave) <= _FEW:  # BLAS adds the waves of several rows in another order
+        few: Array = (wave[:, None] @ amplitude.T)[:, 0].real
+        return few
+    values: Array = (wave @ amplitude.T).real
+    return values
 
 
 def minimum_jerk(x: Array) -> Array:

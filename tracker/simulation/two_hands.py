@@ -127,10 +127,16 @@ class OccludingHand:
         self._wearer, self._motion, self._shape = wearer, motion, BodyShape.of(wearer)
 
     def solids(self, t: float, R_GB: Array, p_GB: Array) -> Solids:
-        R, p, _ = self._wearer.segments(self._motion, np.array([t]))
-        mine = self._shape.solids(R[0], p[0])
-        unowned = -np.ones_like(mine.owner), -np.ones_like(mine.box_owner)
-        return mine._replace(owner=unowned[0], box_owner=unowned[1])
+        return self.solids_at(np.array([t]))[0]
+
+    def solids_at(self, t: Array) -> list[Solids]:
+        """(n,) `solids` at the times t (n,) s."""
+        all_R, all_p, _ = self._wearer.segments(self._motion, t)
+        found = [self._shape.solids(R, p) for R, p in zip(all_R, all_p, strict=True)]
+        return [
+            s._replace(owner=-np.ones_like(s.owner), box_owner=-np.ones_like(s.box_owner))
+            for s in found
+        ]
 
     def coloured(self, t: float) -> tuple[Array, Array, tuple[str, ...]]:
         return np.zeros((0, 3)), np.zeros(0), ()

@@ -217,9 +217,13 @@ class Wearer:
 
     def markers(self, t: float) -> Array:
         """(M, 3) m: position of each marker's centre in its segment's B at the time t (s)."""
-        slip = self._slip(np.array([t]))[0, self.marker_segment] * self.params.slip / np.sqrt(2)
-        moved = np.einsum("mki,mk->mi", self._tangents, self._marker_offset + slip)
-        return self._marker_base + moved
+        return self.markers_at(np.array([t]))[0]
+
+    def markers_at(self, t: Array) -> Array:
+        """(n, M, 3) m: `markers` at the times t (n,) s."""
+        slip = self._slip(t)[:, self.marker_segment] * self.params.slip / np.sqrt(2)
+        moved = np.einsum("mki,nmk->nmi", self._tangents, self._marker_offset + slip)
+        return np.ascontiguousarray(self._marker_base + moved)
 
     def keypoints(self, R: Array, p: Array) -> Array:
         """(K, 3) m in G of the glove's keypoints on the true hand, from R (S, 3, 3), p (S, 3)."""
