@@ -252,6 +252,7 @@ class BlobFrame(_Frozen):
         "match_right": "int m",
         "residual": "m 4",
         "row_shift": "2 m 2",
+        "hues": "h h",
     },
 )
 @dataclass(frozen=True, eq=False, slots=True)
@@ -263,7 +264,8 @@ class FrameResult(_Frozen):
     residual (M, 4) px (left u, v, right u, v), NaN where unmatched. ``another``: the hand was given
     up, since most of its patches were other markers than they seemed. ``row_shift`` (2, M, 2)
     rectified px of a rolling shutter: how far markers move in the left and the right image from the
-    image's instant until their rows are exposed.
+    image's instant until their rows are exposed. ``hues`` (h, h), where many markers are missed:
+    blobs at expected markers, by the marker's and by the blob's row among the glove's hues.
     """
 
     t: float
@@ -278,6 +280,7 @@ class FrameResult(_Frozen):
     stereo_points: int  # markers matched in both images
     another: bool = False
     row_shift: Array | None = None
+    hues: Array | None = None
 
     @staticmethod
     def nothing(t: float, tracking: Tracking, markers: int) -> FrameResult:

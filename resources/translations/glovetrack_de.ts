@@ -11286,6 +11286,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>The names of these hues are exchanged in the colour profile: {hues:words}. Tracking uses the right ones; fit the colours to correct the profile.</source>
+      <translation>Die Namen dieser Farbtöne sind im Farbprofil vertauscht: {hues:words}. Das Tracking verwendet die richtigen; passen Sie die Farben an, um das Profil zu berichtigen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>The names of these hues were exchanged in the colour profile and are corrected: {hues:words}.</source>
       <translation>Die Namen dieser Farbtöne waren im Farbprofil vertauscht und sind korrigiert: {hues:words}.</translation>
     </message>

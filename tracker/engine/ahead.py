@@ -11,6 +11,7 @@ from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame
 from tracker.online.frame_timing import FrameTiming
+from tracker.online.hue_names import HueNames
 from tracker.online.pair_offset import PairOffset
 from tracker.vision.colours import hue_rows
 from tracker.vision.region_prediction import RegionPrediction
@@ -19,10 +20,11 @@ from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, turned
 
 
 class GloveOnHand(NamedTuple):
-    """A glove on a hand."""
+    """A glove on a hand, and how its hues are called in the colours."""
 
     hand: HandModel
     glove: GloveModel
+    hues: HueNames
 
 
 class Ahead:
@@ -35,7 +37,7 @@ class Ahead:
         timing: FrameTiming,
         pair_offset: PairOffset,
     ) -> None:
-        self._glove, self._engine = glove_on_hand.glove, engine
+        self._glove, self._engine, self._hues = glove_on_hand.glove, engine, glove_on_hand.hues
         self._timing, self._pair = timing, pair_offset
         self._marker_segment = self._glove.marker_segment(glove_on_hand.hand)
         self._shape = HandShape.of(glove_on_hand.hand)
@@ -55,7 +57,7 @@ class Ahead:
             sd=sd,
             size=self._glove.marker_size[ids],
             hue=self._glove.marker_hue[ids],
-            hue_names=self._glove.hues,
+            hue_names=self._hues.as_found,
             right_late=self._pair.applied,
         ).after(before)
 
@@ -80,7 +82,7 @@ class Ahead:
         normal_G = turned(estimate.segment_R, segment, glove.marker_normal[ids])
         return HandInView(
             MarkerRows(found.p_G, normal_G, segment),
-            hue_rows(glove.hues, frame.hue_names)[glove.marker_hue[ids]],
+            hue_rows(self._hues.as_found, frame.hue_names)[glove.marker_hue[ids]],
             found.sd,
             PosedHand(self._shape, estimate.segment_R, estimate.segment_p),
             ids,

@@ -37,6 +37,7 @@ from tracker.messages import (
 from tracker.online.camera_motion import CameraMotionEstimate, TimedPose
 from tracker.online.camera_tilt import CameraTilt, CameraTiltSavedState
 from tracker.online.frame_timing import FrameTiming, FrameTimingSavedState
+from tracker.online.hue_names import HueNames, HueNamesSavedState, hue_names_of
 from tracker.online.pair_offset import PairOffset, PairOffsetSavedState
 from tracker.online.rig_alignment import RigAlignment, RigAlignmentSavedState
 from tracker.online.rig_watch import RigState, RigWatch
@@ -69,6 +70,7 @@ class PipelineSavedState:
     celsius: Array = field(default_factory=lambda: np.empty(0))
     alignment: RigAlignmentSavedState = field(default_factory=RigAlignmentSavedState)
     motors: Array = field(default_factory=lambda: np.empty((0, 3)))
+    hues: HueNamesSavedState = field(default_factory=HueNamesSavedState)
 
 
 class Pipeline:
@@ -111,7 +113,9 @@ class Pipeline:
         self.blob_limit = BlobLimit()
         self._packet = -np.inf  # arrival of the last packet, s
         self._by_images = False
-        self.ahead = Ahead(GloveOnHand(hand, glove), self.engine, self.timing, self.pair_offset)
+        self.hues = HueNames(glove.hues)
+        worn = GloveOnHand(hand, glove, self.hues)
+        self.ahead = Ahead(worn, self.engine, self.timing, self.pair_offset)
 
     def with_engine(self, name: str) -> Pipeline:
         """Returns the same hand with another engine, which starts by searching for it.
@@ -153,6 +157,7 @@ class Pipeline:
         if is_report_due:
             ignored = self.blob_limit.ignored
             self.source_notices.post(warning("images.crowded", limit=MOST_BLOBS, ignored=ignored))
+        frame = self.hues.corrected(frame)
         self.pair_offset.remember(frame)
         self.alignment.remember(frame)
         frame = self.ahead.synchronised(frame)
@@ -194,6 +199,9 @@ class Pipeline:
         if (motor := motor_of(event)) is not None:
             self._motors.run(motor, event.t)
             return
+        if (names := hue_names_of(event)) is not None:
+            self.hues.use(names)
+            return
         if is_reset(event):
             unsupported = warning("pose_reset.not_supported", engine=self.settings.engine)
             self._notices.post(self.engine.reset_pose() or unsupported)
@@ -229,6 +237,8 @@ class Pipeline:
         """Learns from results immediately, so that it does not matter when they are read."""
         for result in self.engine.take_results():
             self._watch.check(result)
+            if (exchanged := self.hues.learn(result.t, result.hues)) is not None:
+                self._notices.post(exchanged)
             if result.another and not self._abandoned:
                 self._abandoned = True
                 self._notices.post(ABANDONED)
@@ -279,6 +289,7 @@ class Pipeline:
             self._imus.celsius,
             self.alignment.get_state(),
             self._motors.running,
+            self.hues.saved,
         )
 
     def set_state(self, state: PipelineSavedState) -> None:
@@ -292,6 +303,7 @@ class Pipeline:
         self._imus.celsius = state.celsius
         self.alignment.set_state(state.alignment)
         self._motors.running = state.motors
+        self.hues.saved = state.hues
         self._shake()
 
 

@@ -3,7 +3,7 @@
 `SideWatch` detects a left glove with the files of a right one, and the reverse. A glove's patches
 are mirrored on the other hand, so the hand is not found, or by mistake and lost again: there are
 enough blobs, but no hand among them. Then the same packets and images are tried with the mirrored
-glove and hand, and after that with other names of the hues (`hue_watch`). `ExchangeWatch` detects
+glove and hand, and with other names of the hues (`hue_watch`). `ExchangeWatch` detects
 two gloves of which each has the other one's files.
 """
 
@@ -39,23 +39,27 @@ class SideWatch:
         self._over = False
         self._sees_many = False
         self.notices = Outbox()
-        self._hues = HueWatch(pipeline, self.notices)
+        self._hues = HueWatch(pipeline)
         self.is_other = False  # reported, and our hand was not found since
 
     def packet(self, sample: ImuSample, tracking: Tracking) -> None:
         """Takes a packet and the state of tracking after it."""
         step = 0.0 if self._last is None else min(max(sample.t - self._last, 0.0), 0.1)
         self._last = sample.t
-        idle = self._sees_many and self._trial is None and not self.is_other
-        self._hues.packet(sample, tracking, step, idle)
+        self._hues.packet(sample, tracking, step, self._sees_many and not self.is_other)
         if tracking in (Tracking.TRACKING, Tracking.COASTING):
             self._restart()
         elif self._trial is not None:
             self._try(self._trial, sample, step)
-        elif self._sees_many and not self._over and not self._hues.is_trying:
+        elif self._sees_many and not self._over:
             self._waited += step
             if self._waited >= self._patience:
                 self._trial = _mirrored(self._pipeline)
+
+    def take_names(self) -> tuple[str, ...]:
+        """Returns the right names of exchanged hues, once after they were found; the pipeline is to
+        use them (`hue_names_event`)."""
+        return self._hues.take_names()
 
     def frame(self, blobs: BlobFrame) -> None:
         """What was found in an image."""

@@ -45,6 +45,7 @@ from tracker.messages import (
     WristPose,
 )
 from tracker.online.colour_watch import ColourWatch
+from tracker.online.hue_names import hue_names_event
 from tracker.vision.region_prediction import RegionPrediction, together
 from tracker.vision.rig import StereoRig
 
@@ -184,6 +185,8 @@ class LiveLoop:
             hand.publish(estimate, sample.t_arrival)
         if hand.sides is not None:
             hand.sides.packet(sample, estimate.tracking)
+            if names := hand.sides.take_names():
+                self._rename_hues(names, side)
         if self._exchange is not None:
             self._exchange.packet(side, sample, estimate.tracking)
         self._feed_reference(Sided(sample, side))
@@ -256,6 +259,11 @@ class LiveLoop:
             event = replace(event, data={**event.data, "hand": side})
         self.journal.add(event)
         self.hands.feed_event(event)
+
+    def _rename_hues(self, names: tuple[str, ...], side: str) -> None:
+        hues = self.hands.pipelines[side].glove.hues
+        with self._pipeline_lock:
+            self._request(hue_names_event(hues, names, self._order.mark()), side)
 
     def _feed_motor(self, command: MotorCommand) -> None:
         """Without an entry in the log: a contact runs a motor 20 times a second."""

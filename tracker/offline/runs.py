@@ -32,6 +32,7 @@ from tracker.messages import (
 from tracker.offline.own_colours import OwnColours
 from tracker.offline.track_report import Counter, StatusClock, TrackReport, TruthCheck
 from tracker.online.colour_watch import ColourWatch
+from tracker.online.hue_names import hue_names_event, hue_names_of
 from tracker.session.decode_sensors import Sensed
 from tracker.session.images import PackedFrame
 from tracker.session.mcap.input import RawMessage
@@ -134,7 +135,7 @@ class Output:
             self._recorder.arrived(message.t_arrival)
         if isinstance(message, BlobFrame):
             self._frame(message)
-        elif isinstance(message, Event) and guided_of(message) is None and not is_reset(message):
+        elif isinstance(message, Event) and not _is_request(message):
             return
         elif self._with_sensors:
             self._recorder.write(message, side=self._side)
@@ -192,6 +193,12 @@ class Output:
         self.report.notices.append(event.notice or plain(event.text))
 
 
+def _is_request(event: Event) -> bool:
+    """Whether estimates after it depend on an event."""
+    known = is_reset(event) or guided_of(event) is not None
+    return known or hue_names_of(event) is not None
+
+
 class NoOutput(Output):
     """For a run of which only the final state is used."""
 
@@ -234,17 +241,24 @@ class AloneWatch:
     """What images reveal of a hand that is tracked alone: colours that do not fit, or a glove of
     the other hand; a second hand's blobs would suggest both."""
 
-    def __init__(self, pipeline: Pipeline) -> None:
+    def __init__(self, pipeline: Pipeline, corrects: bool) -> None:
+        """``corrects``: names of exchanged hues; those of a live run are among its events."""
+        self._pipeline, self._corrects = pipeline, corrects
         self._sides = SideWatch(pipeline)
         self._colours = ColourWatch(len(pipeline.glove.markers))
 
     def restart(self, pipeline: Pipeline) -> None:
         """Continues the hand from a recorded state, in another pipeline."""
-        self._sides = SideWatch(pipeline)
+        self._pipeline, self._sides = pipeline, SideWatch(pipeline)
 
     def packet(self, sample: ImuSample, tracking: Tracking) -> list[Event]:
         """Take a packet and the state of tracking after it; what to report."""
         self._sides.packet(sample, tracking)
+        names = self._sides.take_names()
+        if names and self._corrects:
+            event = hue_names_event(self._pipeline.glove.hues, names, sample.t)
+            self._pipeline.feed_event(event)
+            return [event]
         return [Event.of(sample.t, "device", found) for found in self._sides.notices.drain()]
 
     def frame(self, frame: BlobFrame) -> None:
@@ -283,7 +297,10 @@ class LiveRun:
         self._next_calibration = dict.fromkeys(outputs, -np.inf)
         self._has_camera_imu = False
         self._colours, self._tracking = colours, dict.fromkeys(outputs, Tracking.SEARCHING)
-        self._watch = AloneWatch(self._hands.pipelines[main]) if self._hands.alone else None
+        self._watch = self._alone_watch(main) if self._hands.alone else None
+
+    def _alone_watch(self, side: str) -> AloneWatch:
+        return AloneWatch(self._hands.pipelines[side], corrects=not self._changes)
 
     @property
     def engines(self) -> dict[str, Engine]:

@@ -34,6 +34,10 @@ TEXTS = {
         "The names of these hues are exchanged in the colour profile: {hues:words}. Fit the "
         "colours."
     ),
+    "colours.exchanged_here": (
+        "The names of these hues are exchanged in the colour profile: {hues:words}. Tracking uses "
+        "the right ones; fit the colours to correct the profile."
+    ),
     "colours.exchanged_corrected": (
         "The names of these hues were exchanged in the colour profile and are corrected: "
         "{hues:words}."

@@ -105,6 +105,9 @@ EXPLAINED_SHARE = 0.4  # of one camera's blobs matched, for a measured hand
 STRANGE_PX = 5.0  # the same for the blobs of two cameras
 STRANGE_SHARE = 0.2  # ratio of unmatched blobs on a hand to matched ones
 UNMATCHED = -2  # owner of a blob without a marker
+FEW_SHARE = 0.8  # of the expected markers, below which hues may be exchanged
+VISIBLE = 0.5  # prior of a marker at which a blob of any hue is looked for
+AT_MARKER_PX = 10.0  # maximum distance of that blob
 
 
 class SeenImage(NamedTuple):
@@ -343,8 +346,27 @@ class Recognition:
         result = frame_result(
             frame, self._rig, tracking, found.prediction, image.blobs, found.match
         )
+        if tracking == Tracking.TRACKING and self._misses_many(found.tally):
+            result = replace(result, hues=self._hues(image, found))
         shift = self._pixels.row_shift(state, image.pose, image.exposure)
         return result if shift is None else replace(result, row_shift=shift)
+
+    @staticmethod
+    def _misses_many(tally: Tally) -> bool:
+        return tally.matched < FEW_SHARE * tally.expected
+
+    def _hues(self, image: SeenImage, found: Recognised) -> Array:
+        """(h, h): see `FrameResult`."""
+        glove, prediction = self._layout.glove, found.prediction
+        out = np.zeros((len(glove.hues), len(glove.hues)))
+        for c, side in enumerate(image.blobs):
+            markers = np.flatnonzero(prediction.prior[c] >= VISIBLE)
+            if not len(markers) or not len(side.uv):
+                continue
+            apart = np.linalg.norm(prediction.uv[c][markers, None] - side.uv, axis=2)
+            nearest, near = apart.argmin(axis=1), apart.min(axis=1) <= AT_MARKER_PX
+            np.add.at(out, (glove.marker_hue[markers[near]], side.hue[nearest[near]]), 1.0)
+        return out
 
     def at_once(self, state: ChainState, image: SeenImage, found: Recognised) -> SeenImage:
         """The image with recognised blobs where they would be, had all rows been exposed at the
