@@ -12,6 +12,9 @@ TEXTS = {
         "than 0 and at most 50."
     ),
     "vist.unknown": 'Unknown {what}: "{name}". Available: {known:list}.',
+    "vist.sessions_of_points": (
+        "Other sessions need a camera and --level points. Leave out --sessions."
+    ),
     "vist.needs_camera": "Only the engine inertial can be evaluated without a camera.",
     "vist.no_images": "The engine inertial does not use images. Add --lenses none.",
     "vist.both_lenses": "The engine {engine} requires both lenses. Add --engines chain.",

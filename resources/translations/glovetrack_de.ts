@@ -13811,6 +13811,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>Other sessions need a camera and --level points. Leave out --sessions.</source>
+      <translation>Andere Sitzungen brauchen eine Kamera und --level points. Lassen Sie --sessions weg.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>Only the engine inertial can be evaluated without a camera.</source>
       <translation>Ohne Kamera lässt sich nur das Verfahren inertial auswerten.</translation>
     </message>

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
+from extensions.evaluation.session_names import SESSIONS
 from tracker.base.command import Command
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
@@ -31,6 +32,12 @@ def add_hands(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--fps", type=float, default=60.0, help="frame rate of the camera, Hz (default: 60)"
     )
+    parser.add_argument(
+        "--session",
+        default="",
+        choices=("", *SESSIONS),
+        help="other sessions: " + ", ".join(f"{name} ({what})" for name, what in SESSIONS.items()),
+    )
     parser.add_argument("--seed", type=int, default=0, help="random seed of the first pair")
     parser.add_argument(
         "--processes",
@@ -53,7 +60,10 @@ def evaluate_hands(args: argparse.Namespace) -> int:
     if args.pairs < 1 or args.seconds < 4 or not 5 <= args.fps <= 240:
         raise ConfigError(notice("evaluation.hands_options"))
     seeds = range(args.seed, args.seed + args.pairs)
-    tasks = [WorkItem(run_trial, (seed, args.seconds, args.engine, args.fps)) for seed in seeds]
+    tasks = [
+        WorkItem(run_trial, (seed, args.seconds, args.engine, args.fps, args.session))
+        for seed in seeds
+    ]
     with some_workers(max(1, min(args.processes, args.pairs))) as workers:
         outcomes = run_all(tasks, workers, progress_line(f"tracking {args.pairs} pairs"))
     failed = [outcome.error for outcome in outcomes if outcome.error]

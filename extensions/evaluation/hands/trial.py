@@ -9,13 +9,14 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from extensions.evaluation.sessions import blobs_of, people_of
 from tracker.engine.hands import Hands
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
 from tracker.glove import library
 from tracker.hand.names import MARKED_KEYPOINTS, SIDES
 from tracker.messages import Array, BlobFrame, Estimate, ImuSample, Tracking
-from tracker.simulation.scenario import Simulation
+from tracker.simulation.scenario import Simulation, SimulationParams
 from tracker.simulation.two_hands import GlovedHand, TwoHandsSimulation
 
 GLOVES = {"left": "vist-small-left", "right": "vist-small"}
@@ -64,19 +65,21 @@ def run_trial(
     seconds: float,
     engine: str = "chain",
     fps: float = 60.0,
+    session: str = "",
     progress: Callable[[float], None] = lambda share: None,
 ) -> list[HandFigures]:
     """Run both hands of one seed; a task of `tracker.base.workers`."""
     dressed = {side: GlovedHand(*library.load(name, "")) for side, name in GLOVES.items()}
-    sim = TwoHandsSimulation(dressed, seed, seconds, fps)
-    together = _together(sim, engine)
+    params = SimulationParams(wearer=people_of(session))
+    sim = TwoHandsSimulation(dressed, seed, seconds, fps, params)
+    together = _together(sim, engine, session)
     return [
         _figures(
             seed,
             side,
             _shown(sim.hands[side], together[side]),
-            _tracked_alone(sim.alone[side], engine),
-            _tracked_alone(sim.hands[side], engine),
+            _tracked_alone(sim.alone[side], engine, session),
+            _tracked_alone(sim.hands[side], engine, session),
         )
         for side in SIDES
     ]
@@ -115,12 +118,12 @@ def _make(hand: Simulation, engine: str) -> Pipeline:
     return Pipeline(hand.hand, hand.glove, hand.rig, Settings(engine=engine))
 
 
-def _together(sim: TwoHandsSimulation, engine: str) -> dict[str, list[Estimate]]:
+def _together(sim: TwoHandsSimulation, engine: str, session: str) -> dict[str, list[Estimate]]:
     hands = Hands({side: partial(_make, hand, engine) for side, hand in sim.hands.items()})
     out: dict[str, list[Estimate]] = {side: [] for side in SIDES}
     for side, message in sim.messages():
         if isinstance(message, BlobFrame):
-            hands.feed_frame(message)
+            hands.feed_frame(blobs_of(session, message))
         elif isinstance(message, ImuSample):
             estimate = hands.feed_imu(side, message)
             if message.seq % EVERY == 0:
@@ -128,12 +131,12 @@ def _together(sim: TwoHandsSimulation, engine: str) -> dict[str, list[Estimate]]
     return out
 
 
-def _tracked_alone(hand: Simulation, engine: str) -> _TrialErrors:
+def _tracked_alone(hand: Simulation, engine: str, session: str) -> _TrialErrors:
     """Errors of a simulated hand without the other hand's blobs."""
     pipeline, out = _make(hand, engine), []
     for message in hand.feed():
         if isinstance(message, BlobFrame):
-            pipeline.feed_frame(message)
+            pipeline.feed_frame(blobs_of(session, message))
         elif isinstance(message, ImuSample):
             estimate = pipeline.feed_imu(message)
             if message.seq % EVERY == 0:

@@ -8,6 +8,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from extensions.evaluation.session_names import SESSIONS
+from extensions.evaluation.sessions import blobs_of, people_of
 from extensions.evaluation.vist.cases import (
     ABLATIONS,
     GUIDED,
@@ -23,14 +25,14 @@ from extensions.evaluation.vist.report import write_report
 from extensions.evaluation.vist.run import ProgressBar, run_cases
 from extensions.evaluation.vist.scenes import motion_of, simulation_of
 from extensions.evaluation.vist.table import line_of, row_of
-from extensions.evaluation.vist.trial import meet_again, models, owners
+from extensions.evaluation.vist.trial import meet_again, models, owners, run_trial
 from tests.notices import raises
 from tracker.base.errors import ConfigError, FileError
 from tracker.cli import build_parser
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
 from tracker.hand.poses import POSES
-from tracker.messages import BlobFrame, ImuSample
+from tracker.messages import BlobFrame, Blobs, ImuSample
 
 ROW_KEYS = {
     "experiment", "engine", "ablation", "level", "participants", "mean_mm", "sd_mm",
@@ -275,3 +277,37 @@ def test_a_blob_belongs_to_the_nearest_marker_or_to_none():
     true_uv = np.array([[100.0, 100.0], [120.0, 100.0], [np.nan, np.nan]])
     blobs = np.array([[101.0, 99.0], [119.0, 101.0], [160.0, 100.0]])
     np.testing.assert_array_equal(owners(blobs, true_uv), [0, 1, -1])
+
+
+def test_other_sessions_and_smoothing_are_added_as_rows():
+    words = "--experiments", "free", "--sessions", "all", "--smoothed", "--lenses", "one"
+    cases = cases_of(parse(*words))
+    assert [(c.session, c.smoothed) for c in cases] == [
+        (name, smoothed) for smoothed in (False, True) for name in ("", *SESSIONS)
+    ]
+    known = cases_of(parse("--guided", "--smoothed", "--experiments", "free"))
+    assert {c.guided for c in known if c.smoothed} == {"", "unannounced", "guided", "badly"}
+    with raises(ConfigError, "vist.unknown"):
+        cases_of(parse("--sessions", "none"))
+    with raises(ConfigError, "vist.sessions_of_points"):
+        cases_of(parse("--sessions", "away", "--level", "images"))
+
+
+def test_sessions_differ_in_what_they_are_named_after():
+    one = Blobs(np.ones((1, 2)), np.ones((1, 2)), np.zeros(1, np.int64), np.ones(1))
+    seen = BlobFrame(2.0, 2.0, ("red", "green", "blue"), one, None)
+    assert blobs_of("", seen) is seen and blobs_of("unusual", seen) is seen
+    assert blobs_of("exchanged", seen).hue_names == ("blue", "green", "red")
+    assert blobs_of("away", seen) is seen
+    away = blobs_of("away", replace(seen, t=12.0))
+    assert away.left is not None and len(away.left) == 0 and away.right is None
+    assert people_of("unusual").marker_place == 2 * people_of("").marker_place
+
+
+def test_smoothing_uses_what_comes_later():
+    """The same person and the same instants."""
+    live = Case("free", "chain", minutes=0.12, fps=15, seed=3)
+    before, after = run_trial(live, 0), run_trial(replace(live, smoothed=True), 0)
+    np.testing.assert_array_equal(before.t, after.t)
+    assert np.isfinite(after.error).all()
+    assert not np.allclose(before.error[:50], after.error[:50], atol=1e-4)

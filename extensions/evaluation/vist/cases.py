@@ -53,6 +53,8 @@ class Case:
     wearer: str = ""  # path of a profile that every participant begins with
     lenses: str = "both"  # or one, or none: a glove without a camera
     measured: bool = False  # the length of each participant's hand is known, by a ruler
+    session: str = ""  # one of `SESSIONS`, in place of a usual one
+    smoothed: bool = False  # estimates of the whole recording, in place of live ones
 
     @property
     def has_camera(self) -> bool:

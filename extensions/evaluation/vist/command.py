@@ -9,6 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, TextIO
 
+from extensions.evaluation.session_names import SESSIONS
 from extensions.evaluation.vist.options import ENGINES_OF, VistOptions
 from tracker.base.arguments import add_options, options_of
 from tracker.base.command import Command
@@ -109,7 +110,9 @@ def cases_of(args: VistOptions) -> list[Any]:
             out.append(replace(case, motion_files=files, distractors=max(args.distractors, 0)))
     first = out[: len(engines)]
     guided = _guided(first[0]) if args.guided else []
-    return [*out, *_lit(args, out), *guided, *_ablations(args.ablations, first)]
+    out += [*_lit(args, out), *guided, *_other_sessions(args, first)]
+    smoothed = [replace(case, smoothed=True) for case in out if args.smoothed and _smooths(case)]
+    return [*out, *smoothed, *_ablations(args.ablations, first)]
 
 
 def _check_lenses(lenses: str, engines: Sequence[str]) -> None:
@@ -150,6 +153,25 @@ def _lit(args: VistOptions, cases: Sequence[Any]) -> list[Any]:
         for case in cases
         if case.experiment != "head"
     ]
+
+
+def _other_sessions(args: VistOptions, cases: Sequence[Any]) -> list[Any]:
+    """The cases in sessions that are not usual; only of marker positions."""
+    names = tuple(SESSIONS) if "all" in args.sessions else args.sessions
+    _known(names, SESSIONS, "session")
+    if names and (args.level != "points" or args.lenses == "none"):
+        raise ConfigError(notice("vist.sessions_of_points"))
+    return [replace(case, session=name) for name in names for case in cases]
+
+
+def _smooths(case: Any) -> bool:
+    """Whether the case can be smoothed: before a stationary camera, without a profile."""
+    return bool(
+        case.engine == "chain"
+        and case.experiment != "head"
+        and not case.wearer
+        and case.guided != "known"
+    )
 
 
 def _guided(case: Any) -> list[Any]:

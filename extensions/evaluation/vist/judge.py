@@ -17,8 +17,18 @@ from extensions.evaluation.vist.cases import SETTLING, judged_in_outage
 from extensions.evaluation.vist.metrics import DIGITS, Trial, WholeHandErrors
 from tracker.engine.pipeline import Pipeline
 from tracker.hand.names import MARKED_KEYPOINTS
-from tracker.messages import Array, CameraPose, Estimate, Tracking
+from tracker.messages import (
+    Array,
+    BlobFrame,
+    CameraPose,
+    Estimate,
+    Event,
+    ImuSample,
+    Tracking,
+)
 from tracker.simulation.scenario import Simulation, Truth
+
+Fed = ImuSample | BlobFrame | Event
 
 
 @dataclass(eq=False)
@@ -32,6 +42,7 @@ class TrialRecord:
     matches: int = 0
     wrong: int = 0
     core_s: float = 0.0
+    fed: list[Fed] = field(default_factory=list)  # as the engine received it, if it is smoothed
 
 
 @dataclass(frozen=True, eq=False)

@@ -105,6 +105,16 @@ class VistOptions:
             "another session; also with markers on the fingertips"
         ),
     )
+    sessions: tuple[str, ...] = _list(
+        "add the first experiment with: unusual (people, fit of the glove and cloth vary twice as "
+        "much), away (out of view for 5 s of each 15 s), exchanged (red called blue)",
+        (),
+        "A,B|all",
+    )
+    smoothed: bool = field(
+        default=False,
+        metadata=argument("add each row of the engine chain smoothed over the whole trial"),
+    )
     wearer: Path | None = field(
         default=None,
         metadata=argument("wearer's profile that every participant starts with", metavar="FILE"),

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from extensions.evaluation.session_names import SESSIONS
 from extensions.evaluation.vist.cases import ABLATIONS, GUIDED, PAPERS_GLOVE, Case
 from extensions.evaluation.vist.metrics import Trial
 from extensions.evaluation.vist.paper import CAVEAT, HEAD_NOTE, PAPER
@@ -156,7 +157,8 @@ def _ablations(folder: Path, results: Results, rows: Sequence[dict[str, Any]]) -
 
 def _name(row: dict[str, Any]) -> str:
     """Name of a row that is not a variant."""
-    parts = [row["engine"], GUIDED.get(row["guided"], "")]
+    parts = [row["engine"], GUIDED.get(row["guided"], ""), SESSIONS.get(row["session"], "")]
+    parts += ["smoothed"] * row["smoothed"]
     return ", ".join([p for p in parts if p] + [row["glove"]] * (row["glove"] != PAPERS_GLOVE))
 
 

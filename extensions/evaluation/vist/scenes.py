@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from extensions.evaluation.sessions import people_of
 from extensions.evaluation.vist.cases import Ablation, Case
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
@@ -200,7 +201,8 @@ def simulation_of(
     head = MOVING if case.experiment == "head" else HeadParams()
     if variant is not None:
         head = replace(head, tells=variant.camera)
-    params = SimulationParams(person=person, head=head, render=room.render)
+    people = people_of(case.session)
+    params = SimulationParams(person=person, head=head, render=room.render, wearer=people)
     rig = with_one_camera(ideal_rig()) if case.lenses == "one" else ideal_rig()
     return Simulation(hand, glove, motion, seed, params, fps=fps, rig=rig, extras=extras)
 

@@ -74,7 +74,7 @@ class StoredTrials:
 
     def _path(self, case: Case, participant: int) -> Path:
         text = _text(case)
-        what = (case.experiment, case.engine, case.ablation, case.guided, case.light)
+        what = (case.experiment, case.engine, case.ablation, case.guided, case.light, case.session)
         name = slug(" ".join(part for part in what if part))
         key = hashlib.sha256(text.encode()).hexdigest()[:12]
         return self._folder / f"{name}-{key}-{participant:02d}.npz"

@@ -8,6 +8,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from extensions.evaluation.session_names import SESSIONS
 from extensions.evaluation.vist.agreement import agreement
 from extensions.evaluation.vist.cases import GUIDED, PAPERS_GLOVE, Case
 from extensions.evaluation.vist.metrics import Summary, Trial, summarise
@@ -33,6 +34,8 @@ def row_of(case: Case, trials: Sequence[Trial]) -> dict[str, Any]:
         "wearer": case.wearer,
         "lenses": case.lenses,
         "measured": case.measured,
+        "session": case.session,
+        "smoothed": case.smoothed,
         "all_keypoints": [asdict(a) for a in agreement(trials)],
     }
     row.update(asdict(summary))
@@ -81,6 +84,10 @@ def _variant(case: Case) -> str:
         parts.append("one camera" if case.lenses == "one" else "no camera")
     if case.measured:
         parts.append("hand measured")
+    if case.session:
+        parts.append(SESSIONS[case.session])
+    if case.smoothed:
+        parts.append("smoothed")
     if case.guided:
         parts.append(GUIDED[case.guided])
     if case.wearer:

@@ -13,16 +13,20 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 import resources
+from extensions.evaluation.sessions import blobs_of
 from extensions.evaluation.vist.cases import PAPERS_GLOVE, Ablation, Case, ablation_of
 from extensions.evaluation.vist.judge import Judge, TrialRecord
 from extensions.evaluation.vist.metrics import JOINTS, Trial
 from extensions.evaluation.vist.scenes import guided_motion, motion_of, simulation_of
+from tracker.base.clock import ClockAnchor
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
+from tracker.engine.side_watch import SideWatch
 from tracker.fusion import worn
 from tracker.fusion.chain.calibration.measured import LONGEST, RULER_SD, SHORTEST
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.reports import length_gain
+from tracker.fusion.engine import Engine
 from tracker.glove.files import load_glove
 from tracker.glove.model import GloveModel
 from tracker.hand.files import load_hand
@@ -36,7 +40,11 @@ from tracker.messages import (
     FrameResult,
     ImuSample,
     StereoFrame,
+    Tracking,
 )
+from tracker.offline.smooth import Smoother
+from tracker.online.hue_names import hue_names_event
+from tracker.session.description import SessionInfo
 from tracker.simulation.guided import with_events
 from tracker.simulation.scenario import Simulation
 from tracker.simulation.smooth import rng_for
@@ -78,12 +86,14 @@ def run_trial(case: Case, participant: int) -> Trial:
         settings = variant.settings(settings)
     pipeline = Pipeline(hand, glove, simulation.rig if case.has_camera else None, settings)
     if case.measured:
-        measure(pipeline, simulation.wearer, seed)
+        measure(pipeline.engine, case, simulation.wearer, seed)
     if case.wearer:
         worn.put_on(pipeline.engine, Path(case.wearer))
     if case.guided == "known":
         meet_again(pipeline, case, seed)
     record = _track(case, simulation, pipeline, variant, events)
+    if case.smoothed:
+        _smoothed(case, simulation, pipeline, record)
     outage = variant.outage if variant is not None else 0.0
     columns = [pipeline.keypoint_names.index(k) for k in (*MARKED_KEYPOINTS, *JOINTS)]
     place = "camera" if case.experiment == "head" else "world"
@@ -93,12 +103,12 @@ def run_trial(case: Case, participant: int) -> Trial:
     return judge.trial(record, participant, outage)
 
 
-def measure(pipeline: Pipeline, wearer: Wearer, seed: int) -> None:
+def measure(engine: Engine, case: Case, wearer: Wearer, seed: int) -> None:
     """Set the length of the wearer's hand as measured with a ruler."""
-    layout = ChainLayout(pipeline.hand, pipeline.glove)
+    layout = ChainLayout(*models(case.glove))
     true = float(length_gain(layout) @ wearer.scale[list(layout.active), 0])
     read = true + rng_for(seed, "ruler").normal(0.0, RULER_SD)
-    worn.measure(pipeline.engine, float(np.clip(read, SHORTEST, LONGEST)))
+    worn.measure(engine, float(np.clip(read, SHORTEST, LONGEST)))
 
 
 def meet_again(pipeline: Pipeline, case: Case, person: int) -> None:
@@ -111,7 +121,7 @@ def meet_again(pipeline: Pipeline, case: Case, person: int) -> None:
     simulation = simulation_of(first, hand, glove, motion, seed, None, person)
     before = Pipeline(hand, glove, simulation.rig if case.has_camera else None, pipeline.settings)
     if case.measured:
-        measure(before, simulation.wearer, person)
+        measure(before.engine, case, simulation.wearer, person)
     _track(first, simulation, before, None, motion.events)
     with TemporaryDirectory() as folder:
         profile = Path(folder) / "wearer.toml"
@@ -127,6 +137,7 @@ def _track(
     events: Sequence[Event],
 ) -> TrialRecord:
     record = TrialRecord()
+    names = CorrectedNames(pipeline, case.session == "exchanged")
     check = MatchCheck(simulation)
     search, images = TrialImageSearch(simulation), case.level == "images"
     sensed = simulation.messages(images) if case.has_camera else simulation.imu_samples()
@@ -135,14 +146,20 @@ def _track(
         begin = time.process_time()
         if isinstance(message, ImuSample):
             record.estimates.append(pipeline.feed_imu(message))
+            names.packet(message, record.estimates[-1].tracking)
         elif isinstance(message, CameraImuSample):
             pipeline.feed_camera_imu(message)
         elif isinstance(message, Event):
             pipeline.feed_event(message)
         else:
             frame = message if isinstance(message, BlobFrame) else search.blobs(message, pipeline)
+            frame = blobs_of(case.session, frame)
             pipeline.feed_frame(frame)
+            names.frame(frame)
+            message = pipeline.hues.corrected(frame)
             check.remember(frame)
+        if case.smoothed and not isinstance(message, CameraImuSample | StereoFrame):
+            record.fed.append(message)
         results = pipeline.take_results()
         if images and results and record.estimates:
             search.look_ahead(pipeline, record.estimates[-1].t)
@@ -157,6 +174,41 @@ def _track(
             reported = simulation.scene.reported_pose(message.t)
             record.poses.append(reported or pipeline.camera_pose(message.t))
     return record
+
+
+def _smoothed(case: Case, simulation: Simulation, live: Pipeline, record: TrialRecord) -> None:
+    """Replaces the estimates of a record by those of the same messages, smoothed."""
+    anchor = ClockAnchor(0, 0)
+    about = SessionInfo(live.hand, live.glove, "", "", anchor, live.calibrated_rig)
+    smoother = Smoother(about, live.settings)
+    if case.measured:
+        measure(smoother.engine, case, simulation.wearer, simulation.seed)
+    for message in record.fed:
+        smoother.feed(message)
+    found = (e for m, e in smoother.results(lambda share: None) if isinstance(m, ImuSample))
+    record.estimates = [e or was for e, was in zip(found, record.estimates, strict=True)]
+
+
+class CorrectedNames:
+    """Names of hues that a live run corrects, if they are ``exchanged``."""
+
+    def __init__(self, pipeline: Pipeline, exchanged: bool) -> None:
+        self._pipeline = pipeline
+        self._watch = SideWatch(pipeline) if exchanged else None
+
+    def frame(self, frame: BlobFrame) -> None:
+        """What was found in an image."""
+        if self._watch is not None:
+            self._watch.frame(frame)
+
+    def packet(self, sample: ImuSample, tracking: Tracking) -> None:
+        """A packet, and the state of tracking after it."""
+        if self._watch is None:
+            return
+        self._watch.packet(sample, tracking)
+        if names := self._watch.take_names():
+            event = hue_names_event(self._pipeline.glove.hues, names, sample.t)
+            self._pipeline.feed_event(event)
 
 
 class TrialImageSearch:
