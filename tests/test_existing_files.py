@@ -37,7 +37,17 @@ WRITTEN = {"--out", "--output", "--json", "--figure", "--keep-wearer", "--keep",
 """Options and positions of the command line that name what is written."""
 NOT_WRITTEN = {
     *("source", "sources", "file", "files", "first", "second", "session", "sessions", "port"),
-    *("name", "text", "--align", "--broad", "--clutch", "--colours", "--dask", "--engine"),
+    *(
+        "name",
+        "text",
+        "--align",
+        "--broad",
+        "--clutch",
+        "--colours",
+        "--dask",
+        "--distal",
+        "--engine",
+    ),
     *("--engines", "--experiments", "--lights", "--ablations", "--glove", "--hand", "--image"),
     *("--body", "--imu", "--joints", "--left", "--listen", "--live", "--motion", "--object"),
     *("--objects", "--photo", "--right"),

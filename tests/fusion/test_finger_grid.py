@@ -82,8 +82,20 @@ def test_a_known_posture_spreads_like_the_motion_of_a_finger() -> None:
     off = GRID[:CELLS, FLEXION] - GRID[cell, FLEXION]
     sd = np.sqrt(mixed @ off**2 / mixed.sum())
     assert sd == pytest.approx(MOVES[0] * np.sqrt(0.3), abs=0.1 * CELL[FLEXION])
-    # After a minute nothing is left of it.
-    assert np.allclose(aged(known, flat, 60.0), flat, atol=1e-6)
+    # After ten minutes nothing is left of it.
+    assert np.allclose(aged(known, flat, 600.0), flat, atol=1e-6)
+
+
+def test_a_knuckle_does_not_bend_backwards_while_the_finger_is_bent() -> None:
+    hooked = np.array([0.0, 0.0, 0.0, 0.0, np.deg2rad(100.0)])  # a hook fist, which is possible
+    cells = GRID[:, FLEXION] < np.deg2rad(-15.0)
+    bent, straight = cells & (GRID[:, BEND] > 1.8), cells & (GRID[:, BEND] < 0.5)
+    p = prior(hooked, INDEPENDENT)
+    assert p[bent].sum() < 1e-4 * p[straight].sum()
+    assert p[np.abs(GRID - hooked)[:, (FLEXION, BEND)].max(axis=1) < 0.15].sum() > 0.02
+    for _ in range(20):  # nor does it come to be by motion
+        p = aged(p, prior(hooked, INDEPENDENT), 0.1)
+    assert p[bent].sum() < 0.02 * p[GRID[:, BEND] > 1.8].sum()
 
 
 def test_images_that_show_nothing_change_nothing() -> None:

@@ -1,5 +1,5 @@
-"""The command ``evaluate fingers``: each fingertip with and without the glove's cloth, and with
-true silhouettes."""
+"""The command ``evaluate fingers``: each fingertip with and without the glove's cloth, with true
+silhouettes, and with patches on the end segments."""
 
 from __future__ import annotations
 
@@ -15,17 +15,21 @@ from tracker.base.terminal import add_json, check_json, finish, progress_line
 from tracker.messages import Array
 
 if TYPE_CHECKING:
-    from extensions.evaluation.fingers.trial import TipErrors
+    from extensions.evaluation.fingers.trial import Bound, TipErrors
 
 
 WITHOUT, WITH, BOUND = CLOTH = ("without", "with", "silhouette")
 """Without the cloth for ring and little finger, with it, and with the hand's true silhouettes."""
+DISTAL = "distal"
+"""Without the cloth, by a glove with patches on the end segments."""
+HALF = 0.5  # share of a digit
 
 
 class TipRow(NamedTuple):
     """One fingertip; by which cloth (`CLOTH`): mean error (mm), share of instants at which it is
     reported as measured, mean errors (mm) of those instants and of the others (None where there are
-    none), and the share of errors within three standard deviations."""
+    none), the share of errors within three standard deviations, and the mean error (mm) while at
+    least half of the digit is visible in one image."""
 
     tip: str
     cloth: str
@@ -34,6 +38,7 @@ class TipRow(NamedTuple):
     measured_mm: float | None
     inferred_mm: float | None
     true: float
+    visible_mm: float | None
 
 
 def add_fingers(parser: argparse.ArgumentParser) -> None:
@@ -47,30 +52,47 @@ def add_fingers(parser: argparse.ArgumentParser) -> None:
         metavar="PROFILE",
         help="colour profile that includes the glove's cloth (default: the recorded profile)",
     )
+    parser.add_argument(
+        "--distal",
+        nargs="+",
+        default=[],
+        metavar="SESSION",
+        help="sessions of the same motion with a glove with patches on the end segments",
+    )
     add_json(parser)
 
 
 def evaluate_fingers(args: argparse.Namespace) -> int:
-    """Track each session with and without the cloth and with true silhouettes, and print the
-    figures of all together."""
+    """Track each session with and without the cloth and with true silhouettes, and others with
+    distal patches, and print the figures of all together."""
     from extensions.evaluation.fingers.trial import bound_of, tips_of
 
-    paths = [Path(name) for name in args.sessions]
-    check_json(args, paths)
-    rows: list[TipRow] = []
-    for cloth in (WITHOUT, WITH):
-        found = [
-            tips_of(path, args.colours, cloth == WITH, progress_line(f"tracking {path.name}"))
-            for path in paths
+    paths, distal = [Path(name) for name in args.sessions], [Path(name) for name in args.distal]
+    check_json(args, [*paths, *distal])
+
+    def bounds_of(sessions: Sequence[Path]) -> list[Bound]:
+        return [
+            bound_of(path, args.colours, progress_line(f"silhouettes of {path.name}"))
+            for path in sessions
         ]
-        rows += rows_of(found, cloth)
-    bounds = [
-        bound_of(path, args.colours, progress_line(f"silhouettes of {path.name}")) for path in paths
-    ]
+
+    def rows_with(
+        sessions: Sequence[Path], bounds: Sequence[Bound], cloth: bool, as_: str
+    ) -> list[TipRow]:
+        found = [
+            tips_of(path, args.colours, cloth, b.seen, progress_line(f"tracking {path.name}"))
+            for path, b in zip(sessions, bounds, strict=True)
+        ]
+        return rows_of(found, as_)
+
+    bounds = bounds_of(paths)
+    rows = [row for c in (WITHOUT, WITH) for row in rows_with(paths, bounds, c == WITH, c)]
     rows += rows_of([bound.tips for bound in bounds], BOUND)
+    if distal:
+        rows += rows_with(distal, bounds_of(distal), False, DISTAL)
     cost = cost_of(np.concatenate([bound.cost for bound in bounds]))
     report = {"rows": [row._asdict() for row in rows], "cost": cost._asdict()}
-    finish(args, report, [*table(rows), *cost_lines(cost)], paths)
+    finish(args, report, [*table(rows), *cost_lines(cost)], [*paths, *distal])
     return 0
 
 
@@ -107,13 +129,14 @@ def rows_of(found: Sequence[Mapping[str, TipErrors]], cloth: str) -> list[TipRow
     rows = []
     for tip in dict.fromkeys(name for tips in found for name in tips):
         parts = [tips[tip] for tips in found if tip in tips]
-        error, sd, measured = (np.concatenate(values) for values in zip(*parts, strict=True))
+        error, sd, measured, visible = (np.concatenate(v) for v in zip(*parts, strict=True))
         if not len(error):
             continue
         seen, other = _mean_mm(error[measured]), _mean_mm(error[~measured])
         mean, share = 1e3 * float(error.mean()), float(measured.mean())
         true = float((error < 3 * sd).mean())
-        rows.append(TipRow(tip, cloth, mean, share, seen, other, true))
+        half = _mean_mm(error[visible >= HALF])
+        rows.append(TipRow(tip, cloth, mean, share, seen, other, true, half))
     return rows
 
 
@@ -126,15 +149,19 @@ def table(rows: Sequence[TipRow]) -> list[str]:
     """The table as lines of text."""
     lines = [
         f"{'fingertip':<12}{'cloth':>11}{'error mm':>10}{'measured %':>12}{'measured mm':>13}"
-        f"{'inferred mm':>13}{'within 3 sd %':>15}"
+        f"{'inferred mm':>13}{'within 3 sd %':>15}{'half visible mm':>17}"
     ]
     for r in sorted(rows, key=lambda row: [q.tip for q in rows].index(row.tip)):
-        states = "".join(f"{'-' if mm is None else f'{mm:.1f}':>13}" for mm in r[4:6])
+        states = "".join(f"{_number(mm):>13}" for mm in r[4:6])
         lines.append(
             f"{r.tip:<12}{r.cloth:>11}{r.error_mm:>10.1f}"
-            f"{100 * r.measured:>12.0f}{states}{100 * r.true:>15.1f}"
+            f"{100 * r.measured:>12.0f}{states}{100 * r.true:>15.1f}{_number(r.visible_mm):>17}"
         )
     return lines
+
+
+def _number(mm: float | None) -> str:
+    return "-" if mm is None else f"{mm:.1f}"
 
 
 FINGERS = Command(

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from extensions.evaluation.fingers.silhouettes import capsules, with_silhouettes
+from extensions.evaluation.fingers.visible import Seen, shares_seen
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 from tracker.engine.pipeline import Pipeline
@@ -32,17 +33,20 @@ SETTLED = 2.0
 
 class TipErrors(NamedTuple):
     """For one fingertip at n instants at which it has a position: error (n,) m, standard deviation
-    (n,) m per axis, and whether it is reported as measured (n,)."""
+    (n,) m per axis, whether it is reported as measured (n,), and the visible share (n,) of its
+    digit, NaN where unknown."""
 
     error: Array
     sd: Array
     measured: NDArray[np.bool_]
+    visible: Array
 
 
 def tips_of(
-    session: Path, colours: str, with_cloth: bool, progress: Callable[[float], None]
+    session: Path, colours: str, with_cloth: bool, seen: Seen, progress: Callable[[float], None]
 ) -> dict[str, TipErrors]:
-    """Errors of each fingertip of a session that is tracked with this version's settings.
+    """Errors of each fingertip of a session that is tracked with this version's settings; ``seen``
+    is of its images.
 
     Raises ConfigError for a session without a true hand, and FileError if it cannot be tracked.
     """
@@ -59,15 +63,17 @@ def tips_of(
         with SessionReader(out) as reader:
             estimates = [e for e in reader.messages((Estimate,)) if isinstance(e, Estimate)]
     pairs = [(e, truth[_instant(e)]) for e in estimates if _instant(e) in truth]
-    return errors_of(pairs, names)
+    return errors_of(pairs, names, seen)
 
 
 class Bound(NamedTuple):
     """Errors of each fingertip with true silhouettes; and, of the same run, the processor time (n,)
-    s of the thread that the evaluation of the cloth takes in each of n stereo pairs."""
+    s of the thread that the evaluation of the cloth takes in each of n stereo pairs; and what its
+    images show of the digits."""
 
     tips: dict[str, TipErrors]
     cost: Array
+    seen: Seen
 
 
 def bound_of(session: Path, colours: str, progress: Callable[[float], None]) -> Bound:
@@ -85,12 +91,16 @@ def bound_of(session: Path, colours: str, progress: Callable[[float], None]) -> 
             raise ConfigError(notice("evaluation.no_truth", file=session.name))
         times, known = np.array([e.t for e in true]), {_instant(e): e for e in true}
         run, compared = Pipeline(info.hand, info.glove, rig), []
-        cost = _timed(run)
+        cost, shares = _timed(run), []
         for message in recorded_messages(reader):
             if isinstance(message, BlobFrame):
                 k = int(np.argmin(np.abs(times - message.t)))
                 hand = capsules(true[k].keypoints, names, info.hand)
-                shown = with_silhouettes(message, hand, rig, message.pose or rig.pose)
+                pose = message.pose or rig.pose
+                shares.append(
+                    (message.t, shares_seen(true[k].keypoints, names, info.hand, rig, pose))
+                )
+                shown = with_silhouettes(message, hand, rig, pose)
                 run.feed_frame(shown)
                 run.take_results()
                 progress(min(k / len(true), 1.0))
@@ -100,7 +110,8 @@ def bound_of(session: Path, colours: str, progress: Callable[[float], None]) -> 
                 estimate = run.feed_imu(message)
                 if estimate.t >= settled and _instant(estimate) in known:
                     compared.append((estimate, known[_instant(estimate)]))
-    return Bound(errors_of(compared, names), np.array(cost))
+    seen = Seen(np.array([t for t, _ in shares]), np.array([share for _, share in shares]))
+    return Bound(errors_of(compared, names, seen), np.array(cost), seen)
 
 
 def _timed(run: Pipeline) -> list[float]:
@@ -120,9 +131,10 @@ def _timed(run: Pipeline) -> list[float]:
 
 
 def errors_of(
-    pairs: Sequence[tuple[Estimate, Estimate]], names: Sequence[str]
+    pairs: Sequence[tuple[Estimate, Estimate]], names: Sequence[str], seen: Seen
 ) -> dict[str, TipErrors]:
-    """Errors of the fingertips among the keypoints ``names``, for pairs of estimate and truth."""
+    """Errors of the fingertips among the keypoints ``names``, for pairs of estimate and truth, of a
+    session whose images show what was ``seen``."""
     out = {}
     for tip in TIPS:
         if tip not in names or not pairs:
@@ -131,8 +143,9 @@ def errors_of(
         error = [np.linalg.norm(e.keypoints[k] - true.keypoints[k]) for e, true in pairs]
         sd = np.array([e.keypoint_sd[k] for e, _ in pairs])
         measured = np.array([e.keypoint_state[k] == Validity.MEASURED for e, _ in pairs])
+        visible = np.array([seen.at(e.t, tip.removesuffix("_tip")) for e, _ in pairs])
         known = np.isfinite(error)
-        out[tip] = TipErrors(np.array(error)[known], sd[known], measured[known])
+        out[tip] = TipErrors(np.array(error)[known], sd[known], measured[known], visible[known])
     return out
 
 

@@ -8,9 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from extensions.evaluation.fingers.command import CLOTH, WITHOUT, rows_of, table
+from extensions.evaluation.fingers.command import CLOTH, DISTAL, WITHOUT, rows_of, table
 from extensions.evaluation.fingers.silhouettes import as_cloth, capsules, silhouette
 from extensions.evaluation.fingers.trial import TIPS, TipErrors
+from extensions.evaluation.fingers.visible import DIGITS, Seen, shares_seen
 from tracker.cli import main
 from tracker.hand.model import HandModel
 from tracker.hand.names import CHAINS, FINGERS
@@ -20,13 +21,14 @@ from tracker.vision.rig import ideal_rig
 
 
 def test_rows_separate_the_states_and_pool_the_sessions() -> None:
-    seen = TipErrors(np.array([0.004, 0.03]), np.array([0.003, 0.02]), np.array([True, False]))
-    hidden = TipErrors(np.array([0.05]), np.array([0.01]), np.array([False]))
+    measured, share = np.array([True, False]), np.array([0.9, 0.5])
+    seen = TipErrors(np.array([0.004, 0.03]), np.array([0.003, 0.02]), measured, share)
+    hidden = TipErrors(np.array([0.05]), np.array([0.01]), np.array([False]), np.array([0.4]))
     (row,) = rows_of([{"ring_tip": seen}, {"ring_tip": hidden}], cloth="with")
     assert (row.tip, row.error_mm) == ("ring_tip", pytest.approx(28.0))
-    assert row[3:] == pytest.approx((1 / 3, 4.0, 40.0, 2 / 3))
+    assert row[3:] == pytest.approx((1 / 3, 4.0, 40.0, 2 / 3, 17.0))
     (other,) = rows_of([{"ring_tip": hidden}], cloth="without")
-    assert other.measured_mm is None
+    assert other.measured_mm is None and other.visible_mm is None
     assert [line.split()[1] for line in table([row, other])[1:]] == ["with", "without"]
 
 
@@ -35,17 +37,24 @@ def test_sessions_without_cloth_are_tracked_the_same_both_times_and_with_silhoue
 ) -> None:
     """True silhouettes show the ring finger of a session that has only blobs."""
     session, out = tmp_path / "s.mcap", tmp_path / "rows.json"
-    short = ["--blobs-only", "--duration", "2.5", "--fps", "15"]
+    short, other = ["--blobs-only", "--duration", "2.5", "--fps", "15"], tmp_path / "distal.mcap"
     assert main(["simulate", "-o", str(session), *short]) == 0
-    assert main(["evaluate", "fingers", str(session), "--json", str(out)]) == 0
+    assert main(["simulate", "-o", str(other), "--glove", "vist-small-distal", *short]) == 0
+    distal = ["--distal", str(other)]
+    assert main(["evaluate", "fingers", str(session), *distal, "--json", str(out)]) == 0
     report = json.loads(out.read_text())
     rows = report["rows"]
-    assert [(r["tip"], r["cloth"]) for r in rows] == [(t, c) for c in CLOTH for t in TIPS]
+    assert [(r["tip"], r["cloth"]) for r in rows] == [
+        (t, c) for c in (*CLOTH, DISTAL) for t in TIPS
+    ]
     for with_cloth, without in zip(rows[5:10], rows[:5], strict=True):
         assert {**with_cloth, "cloth": WITHOUT} == without
         assert with_cloth["measured"] == 0.0 or "ring" not in with_cloth["tip"]
-    without, bound = ({r["tip"]: r["error_mm"] for r in part} for part in (rows[:5], rows[10:]))
-    assert bound["ring_tip"] < 0.95 * without["ring_tip"]
+    without, _, bound, marked = ({r["tip"]: r for r in rows[k : k + 5]} for k in range(0, 20, 5))
+    assert bound["ring_tip"]["error_mm"] < 0.95 * without["ring_tip"]["error_mm"]
+    sensed = TIPS[:3]  # patches show their end joints
+    assert all(marked[t]["measured"] > 0.9 > 0.1 > without[t]["measured"] for t in sensed)
+    assert np.sum([marked[t]["error_mm"] - without[t]["error_mm"] for t in sensed]) < 0.0
     assert report["cost"]["pairs"] > 20
     assert 0.0 < report["cost"]["median_ms"] <= report["cost"]["p99_ms"]
 
@@ -73,3 +82,36 @@ def test_a_silhouette_is_where_the_true_hand_is(hand: HandModel, right: bool) ->
     again = [cloth_at(cloth_map(cloth), STEP * u, STEP * v) for v, u in np.argwhere(mask)[::97]]
     assert again == [INSIDE] * len(again)
     assert np.mean(mask) < 0.3
+
+
+ABOVE = CameraPose(np.diag([1.0, -1.0, -1.0]), np.array([0.09, 0.0, 0.42]))
+
+
+def test_digits_are_visible_that_nothing_covers(hand: HandModel) -> None:
+    R, p = hand.forward(np.zeros(len(hand.joint_names)), np.eye(3), np.zeros(3))
+    points = hand.keypoints(R, p)
+    rig = ideal_rig(pose=ABOVE)
+
+    def seen(pose: CameraPose) -> dict[str, float]:
+        share = shares_seen(points, hand.keypoint_names, hand, rig, pose)
+        return dict(zip(DIGITS, share.tolist(), strict=True))
+
+    from_above = seen(ABOVE)  # only the knuckles, and the ball of the thumb, are behind the palm's
+    assert min(from_above[f] for f in FINGERS) > 0.75 and max(from_above.values()) <= 1.0
+    assert from_above["thumb"] > 0.6
+    # From beside the index finger, which hides the others; its own knuckle is all that is hidden.
+    index = points[hand.keypoint_names.index("index_mcp")]
+    little = points[hand.keypoint_names.index("little_mcp")]
+    outwards = np.sign(index[1] - little[1])
+    R_GC = np.column_stack([[1.0, 0.0, 0.0], [0.0, 0.0, -outwards], [0.0, -outwards, 0.0]])
+    beside = seen(CameraPose(R_GC, np.array([0.09, 0.42 * outwards, 0.0])))
+    assert beside["index"] > 0.75 and beside["ring"] < 0.3 and beside["little"] < 0.4
+    # A hand that is left of both images.
+    away = seen(CameraPose(ABOVE.R_GC, np.array([0.7, 0.0, 0.42])))
+    assert max(away.values()) == 0.0
+
+
+def test_an_instant_has_the_share_of_the_closest_pair() -> None:
+    seen = Seen(np.array([1.0, 1.1]), np.array([[0.1, 0, 0, 0, 0.9], [0.2, 0, 0, 0, 0.8]]))
+    assert (seen.at(1.04, "little"), seen.at(1.06, "thumb")) == (0.9, 0.2)
+    assert np.isnan(Seen(np.zeros(0), np.zeros((0, 5))).at(1.0, "thumb"))

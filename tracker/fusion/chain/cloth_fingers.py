@@ -266,9 +266,10 @@ class ClothFingers:
             share = min(dt / INDEPENDENT_AFTER, 1.0)
             found = fit(start, neighbour, images, share)
             self._put(now, k, fingers[k], found)
-            now.evidence[k] = min(now.evidence[k], LEAST_RIM * rim_part(now.best[k], images))
+            now.evidence[k] = min(now.evidence[k], LEAST_RIM * rim_part(now.posture[k], images))
             if not now.is_fitted[k]:
                 now.posture[k] = found.hidden
+            if now.evidence[k] < HIDDEN_BELOW:
                 spread = variance_about(now.posterior[k], fingers[k], now.posture[k])
                 now.joint_variance[k] = spread
             now.fitted_at[k] = t

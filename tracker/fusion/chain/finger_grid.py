@@ -45,10 +45,13 @@ POSTURE = np.ascontiguousarray(GRID[:CELLS, FLEXION:])  # (450, 3) rad
 JOINT_SD = 1e-3 * np.array([4.0, 2.0])  # m: hand files differ from hands in where knuckles are
 FLEXION_SD, BEND_SD = np.deg2rad(24.0), np.deg2rad(26.0)  # rad, about the neighbouring finger's
 ASIDE_SD = np.deg2rad(5.0)  # rad
-INDEPENDENT = 0.3  # probability that a finger does not follow its neighbour: people point
+MOST_BEND, MORE_BEND, BEND_LIMIT_SD = np.deg2rad(105.0), 3.0, np.deg2rad(12.0)
+"""Bend up to which all are alike, with the knuckle straight, rad; more of it per flexion there; sd
+beyond. Knuckles do not bend backwards while a finger is bent as far as it can be."""
+INDEPENDENT = 0.5  # probability that a finger does not follow its neighbour: people point
 STAYS = 0.6  # share of the probabilities that is still valid after `PERIOD`
 MOVES = np.deg2rad([12.0, 5.0, 12.0])  # rad in `PERIOD`, flexion, abduction and bend
-JOINT_STAYS = 0.97  # as `STAYS`, of where the knuckle is
+JOINT_STAYS = 0.995  # as `STAYS`, of where the knuckle is
 PERIOD = 0.1  # s
 POSTURES = 30  # that are evaluated with the knuckle elsewhere
 LEAST_KNUCKLE = 0.003  # probability of a position of the knuckle that is evaluated
@@ -91,6 +94,15 @@ ASIDE_P = _share(AXES[ASIDE][:, None], ASIDE_SD)  # (5,)
 FLEXION_AT, ASIDE_AT, BEND_AT = (AXES[a] for a in (FLEXION, ASIDE, BEND))
 
 
+def _possible() -> Array:
+    """(flexions, bends) of a finger: 1 where it bends as far, less beyond (`MOST_BEND`)."""
+    beyond = (BEND_AT - MOST_BEND - MORE_BEND * FLEXION_AT[:, None]) / BEND_LIMIT_SD
+    return np.asarray(np.exp(-0.5 * np.maximum(beyond, 0.0) ** 2))
+
+
+POSSIBLE = _possible()
+
+
 @kernel
 def _near(at: Vector, middle: float, sd: float) -> Vector:
     """(n,) of a normal distribution at the values of an axis."""
@@ -105,13 +117,18 @@ def prior(neighbour: Vector, independent: float) -> Vector:
     out = np.empty(KNUCKLES * CELLS)
     flexion = _near(FLEXION_AT, neighbour[FLEXION], FLEXION_SD)
     bend = _near(BEND_AT, neighbour[BEND], BEND_SD)
-    alone, n = independent / (FLEXIONS * BENDS), 0
+    together, n = 0.0, 0
+    for f in range(FLEXIONS):
+        for b in range(BENDS):
+            together += flexion[f] * bend[b] * POSSIBLE[f, b]
+    together = (1.0 - independent) / together
+    alone = independent / POSSIBLE.sum()
     for k in range(KNUCKLES):
         for f in range(FLEXIONS):
             for a in range(ASIDES):
                 p = KNUCKLE_P[k] * ASIDE_P[a]
                 for b in range(BENDS):
-                    out[n] = p * ((1.0 - independent) * flexion[f] * bend[b] + alone)
+                    out[n] = p * POSSIBLE[f, b] * (together * flexion[f] * bend[b] + alone)
                     n += 1
     return out
 
@@ -152,6 +169,8 @@ def _moved(p: Vector, along: Matrix, across: Matrix, bent: Matrix) -> Vector:
         for f in range(FLEXIONS):
             for i in range(ASIDES * BENDS):
                 out[to * ASIDES * BENDS + i] += along[to, f] * two[f, i]
+        for i in range(ASIDES * BENDS):
+            out[to * ASIDES * BENDS + i] *= POSSIBLE[to, i % BENDS]
     return out
 
 
