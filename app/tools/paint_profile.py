@@ -3,7 +3,8 @@
 The demo runs off-screen with all panels visible. Once the hand is tracked, the window's timer is
 stopped and panels are refreshed and painted one at a time, so that each has its own row: time of
 its refresh, of its painting, and how much of both was spent in compiled code that does not hold
-Python's lock. What remains is when the engine may have to wait. Times are processor times of the
+Python's lock. What remains is when the engine may have to wait. Its sum counts panels with a longer
+period as rarely as they are refreshed in a window of `RATE`. Times are processor times of the
 window's thread and barely depend on other load; the quotient with a fixed loop of Python hardly
 depends on the computer. Printed as a table, and as JSON with ``--json``.
 """
@@ -47,6 +48,7 @@ if TYPE_CHECKING:
     from app.window.main_window import MainWindow
 
 REFRESHES = 60
+RATE = 30.0  # Hz, refreshes of the window in a second; panels with a longer period omit some
 TURN_S = 0.1  # s that new data are waited for at most
 LOOPS = 100_000
 REST = "other"
@@ -55,12 +57,14 @@ REST = "other"
 
 @dataclass(frozen=True)
 class PanelCost:
-    """Processor time of one panel, ms per refresh of the window."""
+    """Processor time of one panel, ms each time it is refreshed, in ``share`` of the window's
+    refreshes."""
 
     panel: str
     refresh_ms: float
     paint_ms: float
     unlocked_ms: float  # of both, in compiled code without the lock
+    share: float = 1.0
 
     @property
     def locked_ms(self) -> float:
@@ -78,7 +82,8 @@ class PaintProfile:
 
     @property
     def locked_ms(self) -> float:
-        return sum(cost.locked_ms for cost in self.panels)
+        """Per refresh of the window."""
+        return sum(cost.share * cost.locked_ms for cost in self.panels)
 
     @property
     def ratio(self) -> float:
@@ -139,9 +144,18 @@ def measure_panels(window: MainWindow, hands: str, refreshes: int) -> PaintProfi
                 if view is not None and not panel.visibleRegion().isEmpty():
                     _add(spent, panel.name, *_one(panel, view, unlocked))
     window.ticker.start()
-    costs = (PanelCost(name, *(1e3 * s / refreshes for s in sums)) for name, sums in spent.items())
-    panels = tuple(sorted(costs, key=lambda cost: -cost.locked_ms))
+    periods = {panel.name: panel.period for panel in window.panels.values()}
+    costs = []
+    for name, sums in spent.items():
+        refresh, paint, free = (1e3 * s / refreshes for s in sums)
+        costs.append(PanelCost(name, refresh, paint, free, share_of(periods.get(name, 0.0))))
+    panels = tuple(sorted(costs, key=lambda cost: -cost.share * cost.locked_ms))
     return PaintProfile(hands, refreshes, 1e3 * _loop_s(), panels)
+
+
+def share_of(period: float) -> float:
+    """Share of the window's refreshes in which a panel with a ``period`` (s) is refreshed."""
+    return 1.0 / max(1.0, RATE * period)
 
 
 def _has_changed(window: MainWindow, seen: Snapshot | None) -> bool:
@@ -214,11 +228,19 @@ def _loop_s() -> float:
 
 
 def _table(found: PaintProfile) -> str:
-    lines = [f"{'panel':<14}{'refresh':>10}{'paint':>10}{'unlocked':>10}{'locked':>10}  ms"]
+    lines = [
+        f"{'panel':<14}{'refresh':>10}{'paint':>10}{'unlocked':>10}{'locked':>10}  ms, of refreshes"
+    ]
     for cost in found.panels:
         times = (cost.refresh_ms, cost.paint_ms, cost.unlocked_ms, cost.locked_ms)
-        lines.append(f"{cost.panel:<14}" + "".join(f"{value:>10.2f}" for value in times))
-    lines.append(f"with the lock: {found.locked_ms:.2f} ms per refresh of all panels")
+        lines.append(
+            f"{cost.panel:<14}"
+            + "".join(f"{value:>10.2f}" for value in times)
+            + f"{100 * cost.share:>12.0f} %"
+        )
+    lines.append(
+        f"with the lock: {found.locked_ms:.2f} ms per refresh of the window at {RATE:g} Hz"
+    )
     lines.append(f"fixed loop: {found.loop_ms:.2f} ms; ratio {found.ratio:.2f}")
     return "\n".join(lines)
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from app.engines.snapshot import Snapshot
 from app.viewmodels.states import GREY, VALIDITY
-from app.widgets.image_shapes import Cross, Ellipse, ImageLabel, ImageLine, Ring, Shape
+from app.widgets.image_shapes import Crosses, Ellipses, ImageLabels, ImageLines, Rings, Shapes
 from app.words import mark, tr
 from tracker.hand.names import bones
 from tracker.messages import Array, Blobs, FrameResult, IntArray, RejectedBlobs, Tracking, Validity
@@ -46,9 +46,9 @@ class Layers:
 NO_LAYERS = Layers(False, False, False, False, False, False)
 
 
-def overlay(view: Snapshot, layers: Layers, colours: dict[str, str], right: bool) -> list[Shape]:
+def overlay(view: Snapshot, layers: Layers, colours: dict[str, str], right: bool) -> list[Shapes]:
     """All shapes for one side, of all hands; ``colours`` maps hue names to display colours."""
-    shapes: list[Shape] = []
+    shapes: list[Shapes] = []
     if layers.skeleton:
         for hand in view.hands:
             shapes += _skeleton(hand, right)
@@ -79,19 +79,19 @@ def _blobs(
     colours: dict[str, str],
     right: bool,
     pairs: bool,
-) -> list[Shape]:
+) -> list[Shapes]:
     """A ring per blob in its hue: solid if a marker is assigned, dashed if not, filled (``pairs``)
     if the same marker is matched in the other image, too."""
     names = view.blobs.hue_names if view.blobs is not None else ()
     results = [hand.result for hand in view.hands if hand.result is not None]
-    claimed = _claimed(results, len(blobs), right)
     paired = set[int]().union(*(_paired(result, right) for result in results if pairs))
-    radii = (blobs.size.max(axis=1) / 2 + 2).tolist() if len(blobs) else []
-    rows = zip(blobs.uv.tolist(), radii, blobs.hue.tolist(), claimed, strict=True)
-    return [
-        Ring(u, v, radius, colours.get(names[hue], WHITE), 2.0, not own, 1.0, i in paired)
-        for i, ((u, v), radius, hue, own) in enumerate(rows)
-    ]
+    filled = np.zeros(len(blobs), bool)
+    filled[[i for i in paired if i < len(blobs)]] = True
+    of_hues = [colours.get(name, WHITE) for name in names]
+    shown = [of_hues[hue] for hue in blobs.hue.tolist()]
+    radius = blobs.size.max(axis=1) / 2 + 2 if len(blobs) else np.zeros(0)
+    own = _claimed(results, len(blobs), right)
+    return [Rings(blobs.uv, radius, shown, 2.0, ~own, filled)] if len(blobs) else []
 
 
 def _paired(result: FrameResult, right: bool) -> set[int]:
@@ -100,51 +100,45 @@ def _paired(result: FrameResult, right: bool) -> set[int]:
     return set((result.match_right if right else result.match_left)[both].tolist())
 
 
-def _claimed(results: Sequence[FrameResult], count: int, right: bool) -> list[bool]:
-    """Whether each blob is assigned to a marker of any hand; all True without results."""
+def _claimed(results: Sequence[FrameResult], count: int, right: bool) -> NDArray[np.bool_]:
+    """(n,) whether each blob is assigned to a marker of any hand; all True without results."""
     if not results:
-        return [True] * count
-    matches = [result.match_right if right else result.match_left for result in results]
-    taken = {i for match in matches for i in match.tolist()}
-    return [i in taken for i in range(count)]
-
-
-def _rejected(rejected: RejectedBlobs) -> list[Shape]:
-    out: list[Shape] = []
-    for (u, v), reason in zip(rejected.uv.tolist(), rejected.reason, strict=True):
-        out.append(Cross(u, v, "#FF8A65", diagonal=True))
-        out.append(
-            ImageLabel(u, v, tr(REASONS.get(reason, reason)), "#FFB199", least_zoom=REASON_ZOOM)
-        )
+        return np.ones(count, bool)
+    taken = np.concatenate([r.match_right if right else r.match_left for r in results])
+    out = np.zeros(count, bool)
+    out[taken[(taken >= 0) & (taken < count)]] = True
     return out
+
+
+def _rejected(rejected: RejectedBlobs) -> list[Shapes]:
+    count = len(rejected.reason)
+    if count == 0:
+        return []
+    reasons = [tr(REASONS.get(reason, reason)) for reason in rejected.reason]
+    return [
+        Crosses(rejected.uv, ["#FF8A65"] * count, diagonal=True),
+        ImageLabels(rejected.uv, reasons, "#FFB199", least_zoom=REASON_ZOOM),
+    ]
 
 
 def _predicted(
     view: Snapshot, result: FrameResult, colours: dict[str, str], right: bool
-) -> list[Shape]:
+) -> list[Shapes]:
     """The predicted position of each marker, with its id and (left) the 2σ ellipse."""
     uv = result.predicted_right if right else result.predicted_left
     known: NDArray[np.bool_] = np.asarray(np.isfinite(uv).all(axis=1))
-    pixels = _marker_pixels(view, right) if not known.all() else uv
     opaque = result.visible >= VISIBLE
-    ellipses = _ellipses(result.predicted_cov, known & opaque) if not right else {}
-    out: list[Shape] = []
-    places, inside, clear = uv.tolist(), known.tolist(), opaque.tolist()
-    for marker in view.setup.glove.markers:
-        colour = colours.get(marker.hue, WHITE)
-        if not inside[marker.id]:
-            out += _outside(pixels[marker.id], colour, view, right)
-            continue
-        u, v = places[marker.id]
-        if not clear[marker.id]:
-            out.append(Cross(u, v, colour, opacity=DIM))
-            continue
-        out.append(Cross(u, v, colour))
-        out.append(ImageLabel(u, v, str(marker.id), WHITE, 1.0, ID_ZOOM))
-        if marker.id in ellipses:
-            a, b, angle = ellipses[marker.id]
-            out.append(Ellipse(u, v, a, b, angle, WHITE, 0.8))
-    return out
+    shown = [colours.get(marker.hue, WHITE) for marker in view.setup.glove.markers]
+    out: list[Shapes] = [] if known.all() else _outside(view, ~known, shown, right)
+    for clear in (False, True):
+        rows = np.flatnonzero(known & (opaque == clear))
+        if len(rows):
+            places, of = uv[rows], [shown[row] for row in rows]
+            out.append(Crosses(places, of, opacity=1.0 if clear else DIM))
+            if clear:
+                ids = [str(row) for row in rows]
+                out.append(ImageLabels(places, ids, WHITE, least_zoom=ID_ZOOM))
+    return out if right else out + _ellipses(result, known & opaque)
 
 
 def _marker_pixels(view: Snapshot, right: bool) -> Array:
@@ -157,35 +151,42 @@ def _marker_pixels(view: Snapshot, right: bool) -> Array:
     return project(view, p + np.einsum("mij,mj->mi", R, glove.marker_position), right)
 
 
-def _outside(uv: Array, colour: str, view: Snapshot, right: bool) -> list[Shape]:
-    """A dim cross at the edge of the image, in the direction of the marker."""
+def _outside(
+    view: Snapshot, unknown: NDArray[np.bool_], colours: Sequence[str], right: bool
+) -> list[Shapes]:
+    """Dim crosses at the edge of the image, in the directions of ``unknown`` (M,) markers."""
     camera = view.setup.camera.rig.right if right else view.setup.camera.rig.left
-    if not np.isfinite(uv).all():
-        return []
+    uv = _marker_pixels(view, right)
     edge = np.clip(uv, EDGE_PX, [camera.width - EDGE_PX, camera.height - EDGE_PX])
-    if np.array_equal(edge, uv):
-        return []  # inside the image, but without a prediction
-    return [Cross(float(edge[0]), float(edge[1]), colour, diagonal=True, opacity=DIM)]
+    # those inside the image have no prediction for another reason
+    rows = np.flatnonzero(unknown & np.isfinite(uv).all(axis=1) & (edge != uv).any(axis=1))
+    if len(rows) == 0:
+        return []
+    return [
+        Crosses(edge[rows], [colours[row] for row in rows.tolist()], diagonal=True, opacity=DIM)
+    ]
 
 
-def _ellipses(cov: Array, wanted: NDArray[np.bool_]) -> dict[int, tuple[float, float, float]]:
-    """Half axes (px) and angle (rad) of the 2σ ellipses of the ``wanted`` covariances (M, 2, 2),
-    px²."""
+def _ellipses(result: FrameResult, wanted: NDArray[np.bool_]) -> list[Shapes]:
+    """The 2σ ellipses of the ``wanted`` (M,) covariances, px²."""
+    cov = result.predicted_cov
     rows = np.flatnonzero(wanted & np.isfinite(cov).all(axis=(1, 2)))
+    if len(rows) == 0:
+        return []
     values, vectors = np.linalg.eigh(cov[rows])
-    axes = 2 * np.sqrt(np.maximum(values, 0))
+    axes = 2 * np.sqrt(np.maximum(values[:, ::-1], 0))
     angle = np.arctan2(vectors[:, 1, 1], vectors[:, 0, 1])
-    found = zip(rows.tolist(), axes.tolist(), angle.tolist(), strict=True)
-    return {row: (a, b, turned) for row, (b, a), turned in found}
+    return [Ellipses(result.predicted_left[rows], axes, angle, WHITE, 0.8)]
 
 
-def _residuals(result: FrameResult, blobs: Blobs, right: bool) -> list[Shape]:
+def _residuals(result: FrameResult, blobs: Blobs, right: bool) -> list[Shapes]:
     """A line from each prediction to the matched blob."""
     match = result.match_right if right else result.match_left
     uv = result.predicted_right if right else result.predicted_left
     drawn = np.flatnonzero((match >= 0) & (match < len(blobs)) & np.isfinite(uv).all(axis=1))
     ends = np.concatenate([uv[drawn], blobs.uv[match[drawn]]], axis=1)
-    return [ImageLine(u0, v0, u1, v1, WHITE, 1.0) for u0, v0, u1, v1 in ends.tolist()]
+    solid = np.zeros(len(drawn), bool)
+    return [ImageLines(ends, [WHITE] * len(drawn), 1.0, solid)] if len(drawn) else []
 
 
 @lru_cache(maxsize=4)
@@ -194,7 +195,7 @@ def _joined(keypoints: tuple[str, ...]) -> IntArray:
     return np.array(bones(keypoints), np.int64).reshape(-1, 2)
 
 
-def _skeleton(view: Snapshot, right: bool) -> list[Shape]:
+def _skeleton(view: Snapshot, right: bool) -> list[Shapes]:
     estimate = view.estimate_at_frame
     if estimate is None:
         return []
@@ -203,11 +204,11 @@ def _skeleton(view: Snapshot, right: bool) -> list[Shape]:
     ends = pixels[joined].reshape(-1, 4)
     states = estimate.keypoint_state[joined].min(axis=1)
     drawn = np.isfinite(ends).all(axis=1)
-    out: list[Shape] = []
-    for (u0, v0, u1, v1), state in zip(ends[drawn].tolist(), states[drawn].tolist(), strict=True):
-        colour = VALIDITY[state].colour if state != Validity.LOST else GREY
-        out.append(ImageLine(u0, v0, u1, v1, colour, 2.5, state != Validity.MEASURED, 0.85))
-    return out
+    if not drawn.any():
+        return []
+    states = states[drawn]
+    of = [VALIDITY[s].colour if s != Validity.LOST else GREY for s in states.tolist()]
+    return [ImageLines(ends[drawn], of, 2.5, states != Validity.MEASURED, 0.85)]
 
 
 def hand_box(view: Snapshot, right: bool) -> tuple[float, float, float, float] | None:

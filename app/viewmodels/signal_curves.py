@@ -23,7 +23,7 @@ from app.viewmodels.signal_rows import (
 )
 from app.viewmodels.signals import Signal, SignalSource
 from tracker.live.history import Timed
-from tracker.messages import Array
+from tracker.messages import Array, IntArray
 from tracker.session.holes import with_breaks
 
 Curve = tuple[Array, Array]
@@ -184,17 +184,24 @@ class LiveCurves:
         """Append the rows after ``last`` (s); earlier ones provide neighbours for smoothing."""
         if len(rows.t) == 0:
             return
-        for signal in signals:
-            until = _known_until(rows) if is_smoothed(signal) else rows.t[-1]
-            new = (rows.t > last) & (rows.t <= until)
-            if not new.any():
-                continue
-            t, values = rows.t[new], values_of(signal, rows)[new]
-            if np.isfinite(last):  # for an interruption between the last instant and these
-                t, values = np.r_[last, t], np.r_[np.nan, values]
-            t, values = with_breaks(t, values, LONGEST_STEP[signal.source])
-            begin = int(np.isfinite(last))
-            self._taken[signal.key].extend(t[begin:], values[begin:, None])
+        for smoothed in (False, True):
+            group = [signal for signal in signals if is_smoothed(signal) is smoothed]
+            until = _known_until(rows) if smoothed else rows.t[-1]
+            new = np.flatnonzero((rows.t > last) & (rows.t <= until))
+            if group and len(new):
+                self._extend(group, rows, new, last)
+
+    def _extend(self, signals: Sequence[Signal], rows: Rows, new: IntArray, last: float) -> None:
+        """Append the rows ``new`` (n,) to curves of one source that end at ``last`` (s)."""
+        t = rows.t[new]
+        values = np.stack([values_of(signal, rows)[new] for signal in signals], axis=1)
+        begin = int(np.isfinite(last))
+        if begin:  # for an interruption between the last instant and these
+            t = np.concatenate([[last], t])
+            values = np.concatenate([np.full((1, len(signals)), np.nan), values])
+        t, values = with_breaks(t, values, LONGEST_STEP[signals[0].source])
+        for k, signal in enumerate(signals):
+            self._taken[signal.key].extend(t[begin:], values[begin:, k : k + 1])
 
     def curve(self, key: str) -> Curve:
         """Valid until the next `take`."""

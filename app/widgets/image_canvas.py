@@ -12,15 +12,45 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetrics, QImage, QPainter
 
-from app.widgets.image_shapes import Cross, Ellipse, ImageLabel, ImageLine, Ring, Shape
-from app.widgets.image_strokes import COLUMNS, LABEL, LINE, OVAL, draw_strokes, show_pixels
+from app.widgets.image_shapes import (
+    Cross,
+    Crosses,
+    Drawn,
+    Ellipse,
+    Ellipses,
+    ImageLabel,
+    ImageLabels,
+    ImageLine,
+    ImageLines,
+    Ring,
+    Rings,
+)
+from app.widgets.image_strokes import (
+    ANGLE,
+    COLUMNS,
+    DASHED,
+    FILLING,
+    KIND,
+    LABEL,
+    LINE,
+    OPACITY,
+    OVAL,
+    RED,
+    WIDTH,
+    X1,
+    Y1,
+    X,
+    Y,
+    draw_strokes,
+    show_pixels,
+)
 
-FILLING = 110 / 255  # opacity of a filled ring
+FILLING_OPACITY = 110 / 255  # opacity of a filled ring
 ARM, ARM_WIDTH = 3.5, 1.5  # px of a cross
 BESIDE = (5.0, -4.0)  # px from a point to the start of its label's base line
 SHIFTS = ((1, 1), (-1, 1))  # px, of the text that makes its outline
 Pixels = NDArray[np.uint8]
-Row = tuple[float, ...]
+Rows = NDArray[np.float64]
 Colour = tuple[float, float, float]
 
 
@@ -70,8 +100,9 @@ class Placing:
         self.scale, self.x, self.y, self.labels = scale, x, y, labels
         self.ratio = labels.ratio
 
-    def at(self, u: float, v: float) -> tuple[float, float]:
-        return self.x + (u + 0.5) * self.scale, self.y + (v + 0.5) * self.scale
+    def all(self, uv: Rows) -> Rows:
+        """Positions (n, 2) of image pixels (n, 2)."""
+        return (uv + 0.5) * self.scale + (self.x, self.y)
 
 
 class ImageCanvas:
@@ -85,7 +116,7 @@ class ImageCanvas:
         self,
         size: tuple[int, int],
         source: Pixels,
-        shapes: Sequence[Shape],
+        shapes: Sequence[Drawn],
         placing: Placing,
         background: QColor,
     ) -> None:
@@ -105,71 +136,110 @@ class ImageCanvas:
         self.image.setDevicePixelRatio(placing.ratio)
 
 
-def stroke_rows(shapes: Sequence[Shape], placing: Placing) -> NDArray[np.float64]:
+def stroke_rows(shapes: Sequence[Drawn], placing: Placing) -> Rows:
     """The strokes (n, `COLUMNS`) of shapes, see `image_strokes`."""
-    rows: list[Row] = []
-    for shape in shapes:
-        _ROWS[type(shape)](shape, placing, rows)
-    return np.array(rows, float).reshape(-1, COLUMNS)
+    parts = [_ROWS[type(shape)](shape, placing) for shape in shapes]
+    return np.concatenate([np.zeros((0, COLUMNS)), *parts])
 
 
-def _line(shape: ImageLine, on: Placing, rows: list[Row]) -> None:
-    ends = (*on.at(shape.u0, shape.v0), *on.at(shape.u1, shape.v1))
-    width, dashed = shape.width * on.ratio, float(shape.dashed)
-    rows.append((LINE, *ends, 0.0, width, dashed, shape.opacity, 0.0, *rgb(shape.colour)))
+def _empty(kind: float, count: int, width: float, opacity: float) -> Rows:
+    """(count, `COLUMNS`) strokes without places and colours."""
+    out = np.zeros((count, COLUMNS))
+    out[:, KIND], out[:, WIDTH], out[:, OPACITY] = kind, width, opacity
+    return out
 
 
-def _ring(shape: Ring, on: Placing, rows: list[Row]) -> None:
-    radius, filling = shape.radius * on.scale, FILLING if shape.filled else 0.0
-    rows.append(
-        (
-            OVAL, *on.at(shape.u, shape.v), radius, radius, 0.0, shape.width * on.ratio,
-            float(shape.dashed), shape.opacity, filling, *rgb(shape.colour),
-        )
-    )  # fmt: skip
+def _colours(colours: Sequence[str]) -> NDArray[np.float64]:
+    """(n, 3) red, green and blue."""
+    return np.array([rgb(colour) for colour in colours]).reshape(-1, 3)
 
 
-def _ellipse(shape: Ellipse, on: Placing, rows: list[Row]) -> None:
-    axes = shape.a * on.scale, shape.b * on.scale, shape.angle
-    rows.append(
-        (
-            OVAL, *on.at(shape.u, shape.v), *axes, on.ratio, 0.0, shape.opacity, 0.0,
-            *rgb(shape.colour),
-        )
-    )  # fmt: skip
+def _lines(shape: ImageLines, on: Placing) -> Rows:
+    out = _empty(LINE, len(shape.ends), shape.width * on.ratio, shape.opacity)
+    out[:, X : Y1 + 1] = on.all(shape.ends.reshape(-1, 2)).reshape(-1, 4)
+    out[:, DASHED], out[:, RED:] = shape.dashed, _colours(shape.colours)
+    return out
 
 
-def _cross(shape: Cross, on: Placing, rows: list[Row]) -> None:
-    (x, y), r = on.at(shape.u, shape.v), ARM * on.ratio
-    colour = rgb(shape.colour)
-    for dx, dy in ((r, r), (r, -r)) if shape.diagonal else ((r, 0.0), (0.0, r)):
-        rows.append(
-            (
-                LINE, x - dx, y - dy, x + dx, y + dy, 0.0, ARM_WIDTH * on.ratio, 0.0,
-                shape.opacity, 0.0, *colour,
-            )
-        )  # fmt: skip
+def _rings(shape: Rings, on: Placing) -> Rows:
+    out = _empty(OVAL, len(shape.uv), shape.width * on.ratio, shape.opacity)
+    out[:, X : Y + 1] = on.all(shape.uv)
+    out[:, X1] = out[:, Y1] = shape.radius * on.scale
+    out[:, DASHED], out[:, FILLING] = shape.dashed, FILLING_OPACITY * shape.filled
+    out[:, RED:] = _colours(shape.colours)
+    return out
 
 
-def _label(shape: ImageLabel, on: Placing, rows: list[Row]) -> None:
-    if on.scale < shape.least_zoom * on.ratio:
-        return
-    (x, y), labels = on.at(shape.u, shape.v), on.labels
-    corner = x + (BESIDE[0] - 1) * on.ratio, y + (BESIDE[1] - labels.ascent) * on.ratio
-    rows.append(
-        (
-            LABEL, *corner, labels.row(shape.text), 0.0, 0.0, 0.0, 0.0, shape.opacity, 0.0,
-            *rgb(shape.colour),
-        )
-    )  # fmt: skip
+def _ellipses(shape: Ellipses, on: Placing) -> Rows:
+    out = _empty(OVAL, len(shape.uv), on.ratio, shape.opacity)
+    out[:, X : Y + 1] = on.all(shape.uv)
+    out[:, X1 : Y1 + 1], out[:, ANGLE] = shape.axes * on.scale, shape.angle
+    out[:, RED:] = rgb(shape.colour)
+    return out
 
 
-_ROWS: dict[type, Callable[[Any, Placing, list[Row]], None]] = {
+def _crosses(shape: Crosses, on: Placing) -> Rows:
+    r = ARM * on.ratio
+    arms = np.array([[r, r], [r, -r]] if shape.diagonal else [[r, 0.0], [0.0, r]])
+    out = _empty(LINE, 2 * len(shape.uv), ARM_WIDTH * on.ratio, shape.opacity)
+    each = out.reshape(-1, 2, COLUMNS)
+    middle = on.all(shape.uv)[:, None]
+    each[:, :, X : Y + 1], each[:, :, X1 : Y1 + 1] = middle - arms, middle + arms
+    each[:, :, RED:] = _colours(shape.colours)[:, None]
+    return out
+
+
+def _labels(shape: ImageLabels, on: Placing) -> Rows:
+    labels = on.labels
+    shown = on.scale >= shape.least_zoom * on.ratio
+    out = _empty(LABEL, len(shape.uv) if shown else 0, 0.0, shape.opacity)
+    if shown:
+        corner = (BESIDE[0] - 1) * on.ratio, (BESIDE[1] - labels.ascent) * on.ratio
+        out[:, X : Y + 1] = on.all(shape.uv) + corner
+        out[:, X1] = [labels.row(text) for text in shape.texts]
+        out[:, RED:] = rgb(shape.colour)
+    return out
+
+
+def _line(shape: ImageLine, on: Placing) -> Rows:
+    ends, dashed = np.array([[*shape[:4]]]), np.array([shape.dashed])
+    return _lines(ImageLines(ends, [shape.colour], shape.width, dashed, shape.opacity), on)
+
+
+def _ring(shape: Ring, on: Placing) -> Rows:
+    uv, radius = np.array([[shape.u, shape.v]]), np.array([shape.radius])
+    dashed, filled = np.array([shape.dashed]), np.array([shape.filled])
+    look = ([shape.colour], shape.width, dashed, filled, shape.opacity)
+    return _rings(Rings(uv, radius, *look), on)
+
+
+def _ellipse(shape: Ellipse, on: Placing) -> Rows:
+    uv, axes = np.array([[shape.u, shape.v]]), np.array([[shape.a, shape.b]])
+    angle = np.array([shape.angle])
+    return _ellipses(Ellipses(uv, axes, angle, shape.colour, shape.opacity), on)
+
+
+def _cross(shape: Cross, on: Placing) -> Rows:
+    uv = np.array([[shape.u, shape.v]])
+    return _crosses(Crosses(uv, [shape.colour], shape.diagonal, shape.opacity), on)
+
+
+def _label(shape: ImageLabel, on: Placing) -> Rows:
+    uv, look = np.array([[shape.u, shape.v]]), (shape.colour, shape.opacity, shape.least_zoom)
+    return _labels(ImageLabels(uv, [shape.text], *look), on)
+
+
+_ROWS: dict[type, Callable[[Any, Placing], Rows]] = {
     ImageLine: _line,
     Ring: _ring,
     Ellipse: _ellipse,
     Cross: _cross,
     ImageLabel: _label,
+    ImageLines: _lines,
+    Rings: _rings,
+    Ellipses: _ellipses,
+    Crosses: _crosses,
+    ImageLabels: _labels,
 }
 
 

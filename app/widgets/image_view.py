@@ -29,7 +29,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.platform.courtesy import PAINTING
 from app.widgets.image_canvas import ImageCanvas, Labels, Placing
-from app.widgets.image_shapes import Shape
+from app.widgets.image_shapes import Drawn
 from app.widgets.measures import SMALL
 
 KEY_ZOOM = 1.25
@@ -123,7 +123,7 @@ class ImageView(QWidget):
         self._title = title
         self._placeholder = placeholder
         self._array: NDArray[np.uint8] | None = None
-        self._shapes: Sequence[Shape] = ()
+        self._shapes: Sequence[Drawn] = ()
         self._canvas = ImageCanvas()
         self._composed: object = None  # content of the canvas
         self._labels: Labels | None = None
@@ -142,7 +142,7 @@ class ImageView(QWidget):
     def sizeHint(self) -> QSize:
         return QSize(480, 270)
 
-    def show_image(self, image: NDArray[np.uint8] | None, shapes: Sequence[Shape] = ()) -> None:
+    def show_image(self, image: NDArray[np.uint8] | None, shapes: Sequence[Drawn] = ()) -> None:
         """Show ``image`` (None: a placeholder) with ``shapes`` drawn over it."""
         self._array = None if image is None else np.ascontiguousarray(image)
         self._shapes, self._composed = shapes, None

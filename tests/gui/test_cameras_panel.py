@@ -12,7 +12,7 @@ from app.platform.tasks import TaskOwner
 from app.viewmodels.camera_overlay import DIM, EDGE_PX, Layers, overlay
 from app.viewmodels.colours import hue_colours
 from app.widgets.flow_layout import FlowLayout
-from app.widgets.image_shapes import Cross, Ring
+from app.widgets.image_shapes import Crosses, Rings
 from tests.gui.gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup
 from tracker.messages import CameraPose, Shed
 
@@ -107,10 +107,11 @@ def test_blobs_of_markers_that_both_cameras_see_are_filled(view):
     right[pair] = 0
     seen = dataclasses.replace(view, result=dataclasses.replace(result, match_right=right))
     only = Layers(rejected=False, predicted=False, residuals=False, skeleton=False)
-    rings = [s for s in overlay(seen, only, {}, right=False) if isinstance(s, Ring)]
-    assert [i for i, r in enumerate(rings) if r.filled] == [int(result.match_left[pair])]
-    without = overlay(seen, dataclasses.replace(only, pairs=False), {}, right=False)
-    assert not any(r.filled for r in without if isinstance(r, Ring))
+    (rings,) = overlay(seen, only, {}, right=False)
+    assert isinstance(rings, Rings)
+    assert np.flatnonzero(rings.filled).tolist() == [int(result.match_left[pair])]
+    (without,) = overlay(seen, dataclasses.replace(only, pairs=False), {}, right=False)
+    assert isinstance(without, Rings) and not without.filled.any()
 
 
 def test_markers_out_of_view_are_dimmed_at_the_edge_where_they_left(view):
@@ -123,9 +124,10 @@ def test_markers_out_of_view_are_dimmed_at_the_edge_where_they_left(view):
     frame = dataclasses.replace(view.frame, pose=moved)
     away = dataclasses.replace(view, frame=frame, result=result)
     only = Layers(blobs=False, rejected=False, residuals=False, skeleton=False)
-    crosses = overlay(away, only, {}, right=False)
-    assert len(crosses) == len(view.setup.glove.markers)
-    assert all(isinstance(c, Cross) and c.u == EDGE_PX and c.opacity == DIM for c in crosses)
+    (crosses,) = overlay(away, only, {}, right=False)
+    assert isinstance(crosses, Crosses) and crosses.opacity == DIM
+    assert len(crosses.uv) == len(view.setup.glove.markers)
+    assert (crosses.uv[:, 0] == EDGE_PX).all()
 
 
 @pytest.mark.styled

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from app.tools.paint_profile import PaintProfile, PanelCost, _table, measure_panels
+from app.tools.paint_profile import PaintProfile, PanelCost, _table, measure_panels, share_of
 from app.widgets import image_canvas
 
 MOST = 20.0
@@ -30,7 +30,9 @@ def test_each_visible_panel_has_a_row_and_python_holds_the_lock_for_few_loops(li
 
 
 def test_the_ratio_is_time_with_the_lock_over_the_fixed_loop():
-    panels = (PanelCost("hand", 5.0, 2.0, 4.0), PanelCost("sensors", 1.0, 2.0, 0.0))
+    share = share_of(1 / 20)  # s; the window is refreshed 30 times a second
+    assert share == pytest.approx(2 / 3) and share_of(1 / 60) == 1.0
+    panels = (PanelCost("hand", 5.0, 2.0, 4.0), PanelCost("sensors", 1.5, 3.0, 0.0, share))
     found = PaintProfile("right", 10, 4.0, panels)
     assert found.locked_ms == pytest.approx(6.0) and found.ratio == pytest.approx(1.5)
     assert "ratio 1.50" in _table(found) and "hand" in _table(found)

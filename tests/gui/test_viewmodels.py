@@ -22,7 +22,7 @@ from app.viewmodels.recording import duration_text, position_text
 from app.viewmodels.sensors import imu_states
 from app.viewmodels.states import BAD, WARN
 from app.viewmodels.status import fields, tracking_look
-from app.widgets.image_shapes import Cross, Ellipse, ImageLine, Ring
+from app.widgets.image_shapes import Crosses, Ellipses, ImageLines, Rings
 from app.widgets.view3d.orbit import Orbit
 from resources import folder
 from tests.gui.gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup, with_camera
@@ -43,42 +43,42 @@ def view(qapp):
 
 def test_every_blob_has_a_ring_which_is_solid_if_matched(view):
     shapes = overlay(view, Layers(skeleton=False, residuals=False), {}, right=False)
-    rings = [s for s in shapes if isinstance(s, Ring)]
-    assert len(rings) == len(view.blobs.left)
+    (rings,) = (s for s in shapes if isinstance(s, Rings))
+    assert len(rings.uv) == len(rings.colours) == len(view.blobs.left)
     matched = set(view.result.match_left[view.result.match_left >= 0].tolist())
-    assert {i for i, r in enumerate(rings) if not r.dashed} == matched
-    assert [(r.u, r.v) for r in rings] == [tuple(uv) for uv in view.blobs.left.uv.tolist()]
+    assert set(np.flatnonzero(~rings.dashed).tolist()) == matched
+    np.testing.assert_array_equal(rings.uv, view.blobs.left.uv)
 
 
 def test_the_ellipse_is_two_sigma_of_the_covariance(view):
     shapes = overlay(view, Layers(blobs=False, skeleton=False), {}, right=False)
-    ellipses = [s for s in shapes if isinstance(s, Ellipse)]
-    assert ellipses
-    for e in ellipses:
-        assert (e.a, e.b) == pytest.approx((8.0, 4.0))  # cov is diag(16, 4) px²
-        assert np.sin(e.angle) == pytest.approx(0.0, abs=1e-9)
+    (ellipses,) = (s for s in shapes if isinstance(s, Ellipses))
+    assert len(ellipses.uv)
+    np.testing.assert_allclose(ellipses.axes, np.tile([8.0, 4.0], (len(ellipses.uv), 1)))
+    # cov is diag(16, 4) px²
+    np.testing.assert_allclose(np.sin(ellipses.angle), 0.0, atol=1e-9)
 
 
 def test_the_right_image_has_no_ellipses_since_none_is_known(view):
     shapes = overlay(view, Layers(), {}, right=True)
-    assert not any(isinstance(s, Ellipse) for s in shapes)
+    assert not any(isinstance(s, Ellipses) for s in shapes)
 
 
 def test_residuals_join_prediction_and_blob(view):
     only = Layers(blobs=False, rejected=False, predicted=False, skeleton=False)
-    lines = [s for s in overlay(view, only, {}, right=False) if isinstance(s, ImageLine)]
+    (lines,) = overlay(view, only, {}, right=False)
+    assert isinstance(lines, ImageLines)
     marker = int(np.flatnonzero(view.result.match_left >= 0)[0])
     blob = view.blobs.left.uv[view.result.match_left[marker]]
-    assert (lines[0].u0, lines[0].v0) == pytest.approx(tuple(view.result.predicted_left[marker]))
-    assert (lines[0].u1, lines[0].v1) == pytest.approx(tuple(blob))
+    np.testing.assert_allclose(lines.ends[0], [*view.result.predicted_left[marker], *blob])
 
 
 def test_unlikely_markers_are_dimmed(view):
     shapes = overlay(view, Layers(blobs=False, rejected=False, skeleton=False), {}, right=False)
-    crosses = [s for s in shapes if isinstance(s, Cross)]
-    full = sum(s.opacity == 1.0 for s in crosses)
+    crosses = [s for s in shapes if isinstance(s, Crosses)]
+    full = sum(len(s.uv) for s in crosses if s.opacity == 1.0)
     assert full == int((view.result.visible >= 0.5).sum())
-    assert full < len(crosses)
+    assert full < sum(len(s.uv) for s in crosses)
 
 
 def test_a_lost_keypoint_takes_its_bones_away(view):
