@@ -10,7 +10,13 @@ from scipy.stats import multivariate_normal
 
 from tracker.base.notices import Notice
 from tracker.engine.pipeline import Pipeline
-from tracker.fusion.chain.calibration.glove_check import gain, spans
+from tracker.fusion.chain.calibration.glove_check import (
+    SHIFT,
+    gain,
+    neighbours,
+    shift_gains,
+    spans,
+)
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, ImuSample
@@ -92,6 +98,21 @@ def test_gain_is_the_ratio_of_marginal_likelihoods() -> None:
         for P in (prior, wider)
     )
     assert found == pytest.approx(unusual - usual, abs=1e-9)
+
+
+def test_gains_of_groups_are_those_of_each_group() -> None:
+    rng = np.random.default_rng(2)
+    segment = np.array([0, 0, 0, 3, 3])
+    groups = neighbours(segment)
+    assert len(groups) == 6 + 3
+    markers = rng.permutation(15).reshape(5, 3)
+    A = rng.normal(0, 1e2, (15, 15))
+    F, s = A @ A.T, rng.normal(0, 1e3, 15)
+    found = shift_gains(F, s, markers, groups)
+    for group, value in zip(groups, found, strict=True):
+        rows = markers[np.flatnonzero(group)]
+        C = SHIFT * np.tile(np.eye(3), (len(rows), 1))
+        assert value == pytest.approx(gain(F, s, rows.ravel(), C), rel=1e-9)
 
 
 def test_successive_markers_are_named_as_a_range() -> None:

@@ -16,6 +16,7 @@ from tracker.fusion.chain.recognition import Recognised, Recognition, SeenImage
 from tracker.fusion.chain.start.start import Starter
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.support import Evidence
+from tracker.messages import Array
 from tracker.vision.stereo import StereoMatches
 
 SHIFT_SD = 0.008  # m, of a shift for which all markers have voted
@@ -49,6 +50,11 @@ class SecondLook:
         self._filter, self._recognition = chain, recognition
         self._starter, self._params = starter, params
         self._digits = DigitSearch(layout)
+
+    @property
+    def digit_count(self) -> int:
+        """Number of digits that can be moved."""
+        return self._digits.count
 
     def likeliest(self, image: SeenImage, candidates: list[ChainState]) -> ChainState | None:
         """For the states that a search proposes, the one that most markers support; None where a
@@ -133,28 +139,38 @@ class SecondLook:
         return still and self._recognition.misfit_px(image, there) <= self._params.misfit_px
 
     def with_digits(self, image: SeenImage, found: Recognised) -> Recognised:
-        """Moves misplaced digits to where their markers are.
+        """Moves all misplaced digits to where their markers are; see `with_next_digit`."""
+        digit = 0
+        while digit < self._digits.count:
+            found, digit = self.with_next_digit(image, found, digit)
+        return found
+
+    def with_next_digit(
+        self, image: SeenImage, found: Recognised, first: int
+    ) -> tuple[Recognised, int]:
+        """Moves the next digit, ``first`` or a later one, that may be misplaced to where its
+        markers are; returns the digit to continue with, their number if none is left.
 
         All digits are checked: one that has matched its neighbour's markers keeps the remaining
         ones from itself, and lacks none. Only unmatched blobs can reveal that: where there are
-        none, no digit is checked.
+        none, no digit is checked. A trial costs as much as the rest of an image, and packets wait
+        for it, so that one image tries one digit at most.
         """
         if self._recognition.is_all_known(image, found):
-            return found
+            return found, self._digits.count
         pairs = self._recognition.pairs(self._filter.state, image)
-        for digit in range(self._digits.count):
-            found = self._with_digit(image, pairs, found, digit)
-        return found
+        for digit in range(first, self._digits.count):
+            points = self._recognition.free_points(image, pairs, found, digit)
+            R = self._digits.other(self._filter.state, digit, points)
+            if R is not None:
+                return self._tried(image, pairs, found, digit, R), digit + 1
+        return found, self._digits.count
 
-    def _with_digit(
-        self, image: SeenImage, pairs: StereoMatches, found: Recognised, digit: int
+    def _tried(
+        self, image: SeenImage, pairs: StereoMatches, found: Recognised, digit: int, R: Array
     ) -> Recognised:
-        """Move a digit to a posture that the image supports better, if there is one."""
+        """Moves a digit to the posture R_GB (A, 3, 3) if the image supports that better."""
         state = self._filter.state
-        points = self._recognition.free_points(image, pairs, found, digit)
-        R = self._digits.other(state, digit, points)
-        if R is None:
-            return found
         moved = state.copy()
         moved.R_GB = R
         self._digits.doubtful(moved.P, digit)

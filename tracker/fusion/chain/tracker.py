@@ -139,8 +139,8 @@ class ChainTracker:
             seen = self._recognition.evidence(image, found)
         if not seen.is_credible:
             found = found.nothing()
-        elif self._shows_digits(image, found) and self._judge.should_search_digits(frame.t):
-            found = self._second.with_digits(image, found)
+        elif self._shows_digits(image, found):
+            found = self._with_digits(image, found)
         # 3. The matches correct the state, together with anatomy.
         rows, dx = self._correct(image, found)
         self.wearer.learn()
@@ -179,6 +179,15 @@ class ChainTracker:
     def _shows_digits(self, image: SeenImage, found: Recognised) -> bool:
         """Whether digits can be searched for: in depth, by a hand close to the filter's state."""
         return not image.is_mono and found.shift is None
+
+    def _with_digits(self, image: SeenImage, found: Recognised) -> Recognised:
+        """Moves a misplaced digit, if a search for one is due."""
+        digit, count = self._judge.next_digit(image.frame.t), self._second.digit_count
+        if digit is None or count == 0:
+            return found
+        found, end = self._second.with_next_digit(image, found, digit)
+        self._judge.searched_digits(end, count)
+        return found
 
     def _correct(self, image: SeenImage, found: Recognised) -> tuple[Rows, Array]:
         """Corrects the state; returns the rows, and (N,) the correction."""

@@ -21,7 +21,7 @@ ENOUGH_SHARE = 0.6  # of the few markers visible on a hand edge-on
 DOUBT_AFTER = 0.08  # s without support, after which no point is measured
 SURE_AFTER = 0.08  # s with support, after which points are measured again
 STRANGE_FOR = 0.4  # s of consecutive images
-DIGIT_PERIOD = 0.09  # s between two searches for digits
+DIGIT_PERIOD = 0.09  # s between two searches of all digits
 PLACES_APART = 0.12  # s, maximum between two searches from which the velocity is computed
 BELIEVABLE_SHARE = 0.5  # of the expected markers, for a hand that was out of view
 
@@ -41,7 +41,8 @@ class TrackingSavedState:
     supported_since: float = np.inf  # images support the hand more than chance would
     last_supported: float = -np.inf
     strange_since: float = np.inf  # images show another hand than the tracked one
-    last_digits: float = -np.inf  # last search for digits
+    last_digits: float = -np.inf  # the last search of all digits began
+    next_digit: int = 0  # with which that search continues; 0 after its end
     last_found: float = -np.inf  # last search that found the hand, at last_place (3,) m in G
     last_place: Array = field(default_factory=lambda: np.zeros(3))
 
@@ -134,12 +135,19 @@ class TrackingJudge:
 
     # ---- when to search
 
-    def should_search_digits(self, t: float) -> bool:
-        """Whether a search for digits is due; if so, its time is recorded."""
-        if t - self.saved.last_digits < DIGIT_PERIOD:
-            return False
-        self.saved.last_digits = t
-        return True
+    def next_digit(self, t: float) -> int | None:
+        """The digit with which a search of misplaced digits begins or continues, None if it is not
+        due."""
+        now = self.saved
+        if now.next_digit == 0 and t - now.last_digits < DIGIT_PERIOD:
+            return None
+        if now.next_digit == 0:
+            now.last_digits = t
+        return now.next_digit
+
+    def searched_digits(self, end: int, count: int) -> None:
+        """Of ``count`` digits, those before ``end`` have been searched."""
+        self.saved.next_digit = end % count
 
     def should_search(self, t: float, tally: Tally) -> bool:
         """Whether lost, or with too few of the expected markers for too long; if so, the time is

@@ -7,7 +7,6 @@ estimate, and it is not part of a saved state: after `ChainEngine.set_state` it 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -71,6 +70,7 @@ class GloveEvidence:
         at, n = layout.blocks, layout.n_dynamic
         self._markers = np.arange(at.marker - n, at.axis - n).reshape(-1, 3)
         self._imus = np.arange(at.phi - n, at.ba - n).reshape(-1, 3)
+        self._together = neighbours(layout.marker_segment)
         self.N = np.zeros((at.size - n, at.size - n))
         self.b = np.zeros(at.size - n)
 
@@ -88,11 +88,11 @@ class GloveEvidence:
         A = np.linalg.inv(self.N + np.linalg.inv(usual))
         F, s = self.N - self.N @ A @ self.N, b - self.N @ (A @ b)  # eq. 74
         all_of_them = gain(F, s, self._markers.ravel(), self._wider())
-        some = [gain(F, s, rows.ravel(), C) for rows, C in self._shifted()]
+        some = shift_gains(F, s, self._markers, self._together).max(initial=0.0)
         turned = np.eye(3) * np.sqrt(TURN**2 - self._prior.mounting**2)
         imus = np.array([gain(F, s, rows, turned) for rows in self._imus])
         odd_imus = np.flatnonzero(imus > SURE_OF_IMU)
-        are_markers_odd = all_of_them > SURE_OF_ALL or max(some, default=0.0) > SURE_OF_SOME
+        are_markers_odd = all_of_them > SURE_OF_ALL or some > SURE_OF_SOME
         if not (are_markers_odd or len(odd_imus)):
             return None
         markers, offset = self._offsets() if are_markers_odd else ((), 0.0)
@@ -109,16 +109,6 @@ class GloveEvidence:
             along = np.eye(3) - np.outer(normal, normal) / (normal @ normal)
             out[3 * k : 3 * k + 3, 3 * k : 3 * k + 3] = sd * along
         return out
-
-    def _shifted(self) -> Iterator[tuple[IntArray, Array]]:
-        """Successive markers of a segment, shifted together."""
-        segment = self._layout.marker_segment
-        for a in np.unique(segment):
-            ids = np.flatnonzero(segment == a)
-            for first in range(len(ids)):
-                for end in range(first + 1, len(ids) + 1):
-                    rows = self._markers[ids[first:end]]
-                    yield rows, SHIFT * np.tile(np.eye(3), (len(rows), 1))
 
     # ---- estimates
 
@@ -152,11 +142,36 @@ class GloveEvidence:
         return tuple(float(np.linalg.norm(x[self._imus[j]])) for j in imus)
 
 
+def neighbours(segment: IntArray) -> Array:
+    """(q, M) 0 or 1: the groups of successive markers of one ``segment`` (M,)."""
+    out = []
+    for a in np.unique(segment):
+        ids = np.flatnonzero(segment == a)
+        for first in range(len(ids)):
+            for end in range(first + 1, len(ids) + 1):
+                row = np.zeros(len(segment))
+                row[ids[first:end]] = 1.0
+                out.append(row)
+    return np.array(out).reshape(-1, len(segment))
+
+
 def gain(F: Array, s: Array, rows: IntArray, C: Array) -> float:
     """ln B (eq. 75) of an additional covariance C Cᵀ of the parameters ``rows`` (k,); C (k, q)."""
     M = np.eye(C.shape[1]) + C.T @ F[np.ix_(rows, rows)] @ C
     v = C.T @ s[rows]
     return float(0.5 * (v @ np.linalg.solve(M, v) - np.linalg.slogdet(M)[1]))
+
+
+def shift_gains(F: Array, s: Array, markers: IntArray, groups: Array) -> Array:
+    """(q,) `gain` of each of the ``groups`` (q, M) of markers with rows ``markers`` (M, 3), if a
+    group is shifted as a whole by `SHIFT`; all at once."""
+    between = F[markers[:, None, :, None], markers[None, :, None, :]]
+    of_groups = np.tensordot(groups, between, 1)  # (q, M, 3, 3)
+    M = np.eye(3) + SHIFT**2 * np.einsum("qn,qnij->qij", groups, of_groups)
+    v = SHIFT * groups @ s[markers]
+    x = np.linalg.solve(M, v[:, :, None])[:, :, 0]
+    out: Array = 0.5 * (np.einsum("qi,qi->q", v, x) - np.linalg.slogdet(M)[1])
+    return out
 
 
 class GloveCheck:
