@@ -106,7 +106,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """With a recording of each number of lenses, and one that is tracked."""
     path = tmp_path_factory.mktemp("sessions")
     for lenses in "012":
-        words = ["--seed", 3, "--duration", 3, "--fps", 20, "--lenses", lenses]
+        words = ["--seed", 3, "--duration", 2, "--fps", 20, "--lenses", lenses]
         run("simulate", "-o", path / f"{lenses}.mcap", *words, "--hands", "right")
     run("track", path / "2.mcap", "-o", path / "tracked.mcap")
     return path

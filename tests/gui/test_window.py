@@ -265,7 +265,7 @@ def test_the_window_never_blocks_long_on_a_live_engine(live, qtbot):
 
 def test_opening_and_closing_leaves_no_thread_timer_or_window(store, qtbot, no_leaks):
     threads = threading.active_count()
-    for _ in range(5):
+    for _ in range(2):
         window = MainWindow(store)
         window.show()
         window.host.adopt(scripted_setup(ScriptedEngine()))

@@ -10,7 +10,7 @@ import pytest
 
 from resources import folder
 from tests.notices import raises
-from tests.simulated_sessions import SimulatedSessions
+from tests.simulated_sessions import BOTH, SimulatedSessions
 from tracker.base.errors import ConfigError, FileError
 from tracker.messages import Estimate
 from tracker.offline.options import TrackOptions
@@ -25,9 +25,7 @@ SIDES = ("left", "right")
 
 @pytest.fixture(scope="module")
 def session(simulated_sessions: SimulatedSessions) -> Path:
-    return simulated_sessions.simulated(
-        SimulateOptions(hands="both", seed=5, duration=5.0, fps=30, images=False)
-    )
+    return simulated_sessions.simulated(BOTH)
 
 
 @dataclass(frozen=True)

@@ -55,7 +55,7 @@ def without_estimates(source: Path, out: Path, cuts: tuple[tuple[float, float], 
 def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("fill")
     simulated, out = folder / "simulated.mcap", folder / "whole.mcap"
-    simulate(simulated, SimulateOptions(seed=5, duration=6.0, fps=30, images=False))
+    simulate(simulated, SimulateOptions(seed=5, duration=5.0, fps=30, images=False))
     track(simulated, out, TrackOptions("chain", with_sensors=True))
     return out
 

@@ -13,7 +13,7 @@ from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
 from tracker.messages import BlobFrame, CameraPose, EngineState, Estimate, ImuSample
 from tracker.offline.options import TrackOptions
-from tracker.offline.simulate import SimulateOptions, build, truth_message
+from tracker.offline.simulate import SimulateOptions, TruthsAhead, build, truth_message
 from tracker.offline.track import track
 from tracker.session.compare import compare
 from tracker.session.description import SessionInfo
@@ -115,9 +115,11 @@ def test_a_camera_that_is_moved_while_recording(tmp_path: Path) -> None:
     sim, info = build(SimulateOptions(seed=3, duration=4.0, fps=30, images=False))
     lateral = Simulation(sim.hand, sim.glove, sim.motion, 3, fps=30, rig=moved(info, 0.05))
     changed, silent = tmp_path / "changed.mcap", tmp_path / "silent.mcap"
+    feeds = list(sim.feed()), list(lateral.feed())
     for path in (changed, silent):
+        truths = TruthsAhead(sim)
         with SessionRecorder(path, info) as recorder:
-            for before, after in zip(sim.feed(), lateral.feed(), strict=False):
+            for before, after in zip(*feeds, strict=False):
                 if before.t_arrival < 2.0:
                     recorder.write(before)
                     continue
@@ -125,7 +127,7 @@ def test_a_camera_that_is_moved_while_recording(tmp_path: Path) -> None:
                     recorder.write_rig(lateral.rig, 2.0)
                 recorder.write(after)
                 if isinstance(after, ImuSample):
-                    recorder.write_truth(truth_message(after.t, sim.truth(after.t), info))
+                    recorder.write_truth(truth_message(after.t, truths.at(after), info))
     with SessionReader(changed) as reader:
         ((t, rig),) = reader.rig_changes()
         assert t == pytest.approx(2.0) and np.array_equal(rig.pose.p_GC, lateral.rig.pose.p_GC)

@@ -96,11 +96,12 @@ def run(line: str) -> int:
 
 SIMULATED = r"glovetrack simulate -o \S+ --duration 3 --blobs-only( --seed [123])?"
 TRACKED = tuple(f"glovetrack track session.mcap -o tracked.mcap{more}" for more in ("", WITH))
-"""Lines that the fixture `sessions` runs once for all pages; other seeds than these are run."""
+"""Lines that the fixture `sessions` runs once for all pages, with two of the three seconds; other
+seeds than these are run."""
 
 
 class Sessions(NamedTuple):
-    """Three seconds without images, as recorded and as tracked."""
+    """Two seconds without images, as recorded and as tracked."""
 
     recorded: Path
     tracked: Path
@@ -110,7 +111,7 @@ class Sessions(NamedTuple):
 def sessions(tmp_path_factory: pytest.TempPathFactory) -> Sessions:
     folder = tmp_path_factory.mktemp("guide")
     made = Sessions(folder / "session.mcap", folder / "tracked.mcap")
-    assert run(f"glovetrack simulate -o {made.recorded} --duration 3 --blobs-only") == 0
+    assert run(f"glovetrack simulate -o {made.recorded} --duration 2 --blobs-only") == 0
     assert run(f"glovetrack track {made.recorded} -o {made.tracked}{WITH}") == 0
     return made
 

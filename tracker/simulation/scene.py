@@ -240,6 +240,9 @@ class SimulatedScene:
     def _coloured(self, now: SceneInstant, extra: Extra, t: float, right: bool) -> _Balls:
         """Distractors in one image; those ``seen`` are not occluded."""
         centre, radius, names = extra.coloured(t)
+        if not names:
+            none = np.zeros((0, 2))
+            return _Balls(none, none, np.zeros(0, np.int64), np.zeros(0, bool))
         pose = self.pose(t)
         p_C = (centre - pose.p_GC) @ pose.R_GC
         camera = self.rig.right if right else self.rig.left

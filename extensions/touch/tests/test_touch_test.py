@@ -115,9 +115,10 @@ def test_repeatability_over_wearings(tmp_path: Path, capsys) -> None:
     fingers, three axes and 8 touches of 2 mm allow: 27 % (95 %, chi-square with 27 degrees of
     freedom)."""
     rng, sd_wearing, names = np.random.default_rng(7), 0.003, []
+    trial = SimulatedTrial(5, lead=1.0)
     for k in range(4):
         tracker = KnownTracker(
-            SimulatedTrial(5, lead=1.0),
+            trial,
             {f: rng.normal(0, sd_wearing, 3).tolist() for f in FINGERS},
             SD,
             SD,
