@@ -4,8 +4,9 @@ The public package `glovetrack` is the same in this tree and in a wheel. Its imp
 `app`, `extensions`, `tracker` and `resources` here. Installed under these names they would collide
 with others in a shared environment, so a wheel has them as `glovetrack.app` and so on: the tree is
 copied with that layout, the copy's import statements are changed to the full names, and setuptools
-makes the wheel from the copy. `README.md` next to this file explains why. Nothing else is changed,
-so code must not contain module names in strings (use `__package__`). Compiled kernels in the tree,
+makes the wheel from the copy. `README.md` next to this file explains why. Of the strings in the
+code only the names in `deferred("tracker.…:function")` are changed, so no other string may be a
+module's name (use `__package__`). Compiled kernels in the tree,
 and with them the compiled OpenXR layer, are included and make it a wheel for this platform
 (`packaging/wheel.sh`); without kernels it is a pure Python wheel. An editable install, as the
 Makefile makes it, does not change the tree.
@@ -161,7 +162,7 @@ def installed_project(text: str) -> str:
 
 
 def with_full_names(code: str) -> str:
-    """Python code whose import statements have the installed names of our packages."""
+    """Python code whose imports and deferred functions have the installed names of our packages."""
     lines = code.splitlines(keepends=True)
     for node in ast.walk(ast.parse(code)):
         if isinstance(node, ast.ImportFrom) and node.level == 0 and _is_ours(node.module or ""):
@@ -169,6 +170,10 @@ def with_full_names(code: str) -> str:
         elif isinstance(node, ast.Import):
             for alias in node.names:
                 _rename_import(lines, node, alias)
+        elif isinstance(node, ast.Call) and ast.unparse(node.func) == "deferred":
+            (name,) = (each for each in node.args if isinstance(each, ast.Constant))
+            if _is_ours(name.value):
+                _replace(lines, name, f'"{name.value}"', f'"{NAME}.{name.value}"')
     return "".join(lines)
 
 
@@ -187,9 +192,10 @@ def _is_ours(module: str) -> bool:
     return module.partition(".")[0] in PACKAGES
 
 
-def _replace(lines: list[str], node: ast.stmt, old: str, new: str) -> None:
+def _replace(lines: list[str], node: ast.stmt | ast.expr, old: str, new: str) -> None:
     line = lines[node.lineno - 1]
-    before, after = line[: node.col_offset], line[node.col_offset :]
+    start = len(line.encode()[: node.col_offset].decode())
+    before, after = line[:start], line[start:]
     if not after.startswith(old):
         raise ValueError(f"line {node.lineno}: an import is written in an unusual way")
     lines[node.lineno - 1] = before + new + after[len(old) :]

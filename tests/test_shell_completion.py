@@ -83,7 +83,7 @@ def logging_command(monkeypatch: pytest.MonkeyPatch) -> logging.Logger:
             log.log(level, "message %s", logging.getLevelName(level).lower())
         return []
 
-    monkeypatch.setattr("tracker.session.verify.verify", verify)
+    monkeypatch.setattr("tracker.session.command_runs.verify", verify)
     return log
 
 

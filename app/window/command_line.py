@@ -6,6 +6,7 @@ import argparse
 
 from tracker.base.arguments import add_options, options_of
 from tracker.base.command import Command
+from tracker.base.registry import deferred
 
 
 def _add_window(parser: argparse.ArgumentParser) -> None:
@@ -37,12 +38,6 @@ def _add_remote(parser: argparse.ArgumentParser) -> None:
     add_remote(parser)
 
 
-def _remote(args: argparse.Namespace) -> int:
-    from app.window.remote_command import control  # deferred: loads QtNetwork
-
-    return control(args)
-
-
 WINDOW = Command(
     "window",
     "open the window (default without a command)",
@@ -67,7 +62,7 @@ DEVICES = Command(
 REMOTE = Command(
     "remote",
     "control the open window",
-    _remote,
+    deferred("app.window.remote_command:control"),
     add=_add_remote,
     description="Control the open Glovetrack window.",
 )

@@ -29,7 +29,7 @@ from app.window.udev_rule import show_rule
 from app.words import error_text, notice_text
 from tracker.base.errors import GlovetrackError
 from tracker.base.files import write_whole
-from tracker.doctor.command import report_text
+from tracker.doctor.command_runs import report_text
 from tracker.doctor.finding import Finding, Result, Verdict, examine
 from tracker.doctor.machine import Machine
 from tracker.doctor.permissions import RULE_REMEDIES

@@ -6,7 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from tracker.live.listeners import ListenedHand, Listener, ListenerKind
+from tracker.base.registry import deferred
+from tracker.live.listeners import ListenerKind
 
 if TYPE_CHECKING:
     from extensions.applications.interface import Application
@@ -28,38 +29,28 @@ class ApplicationKind:
     order: int = 100
 
 
-def _listener(hand: ListenedHand) -> Listener:
-    from extensions.applications.live import listener
-
-    return listener(hand)
-
-
-def _touch() -> type[Application]:
-    from extensions.applications.touch.touch import Touch
-
-    return Touch
-
-
-def _arm() -> type[Application]:
-    from extensions.applications.arm.arm import RobotArm
-
-    return RobotArm
-
-
-def _place() -> type[Application]:
-    from extensions.applications.place.place import VirtualPlace
-
-    return VirtualPlace
-
-
-def _swarm() -> type[Application]:
-    from extensions.applications.swarm.swarm import Swarm
-
-    return Swarm
-
-
-LISTENER = ListenerKind("applications", "Applications", _listener)
-TOUCH = ApplicationKind("touch", "Virtual object to touch", _touch, order=10)
-ARM = ApplicationKind("arm", "Robot arm", _arm, "glovetrack[robot]", order=20)
-PLACE = ApplicationKind("place", "Virtual place", _place, order=30)
-SWARM = ApplicationKind("swarm", "Drone swarm", _swarm, order=40)
+LISTENER = ListenerKind(
+    "applications", "Applications", deferred("extensions.applications.live:listener")
+)
+TOUCH = ApplicationKind(
+    "touch",
+    "Virtual object to touch",
+    deferred("extensions.applications.touch.touch:Touch").load,
+    order=10,
+)
+ARM = ApplicationKind(
+    "arm",
+    "Robot arm",
+    deferred("extensions.applications.arm.arm:RobotArm").load,
+    "glovetrack[robot]",
+    order=20,
+)
+PLACE = ApplicationKind(
+    "place",
+    "Virtual place",
+    deferred("extensions.applications.place.place:VirtualPlace").load,
+    order=30,
+)
+SWARM = ApplicationKind(
+    "swarm", "Drone swarm", deferred("extensions.applications.swarm.swarm:Swarm").load, order=40
+)

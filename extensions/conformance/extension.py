@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from tracker.base.notices import notice
-from tracker.session.export.formats import ExportFormat, Writer
+from tracker.base.registry import deferred
+from tracker.session.export.formats import ExportFormat
 from tracker.streaming.connection import StreamError, option
 from tracker.streaming.publisher import Names, Publisher
 from tracker.streaming.registry import StreamKind
@@ -40,16 +41,10 @@ STREAM = StreamKind(
 )
 
 
-def _isaac() -> Writer:
-    from extensions.conformance.export import export_isaac
-
-    return export_isaac
-
-
 FORMAT = ExportFormat(
     "isaac",
     "Hand record of NVIDIA's Isaac tools (MCAP)",
-    _isaac,
+    deferred("extensions.conformance.export:export_isaac").load,
     options=("rate", "start", "stop", "anonymous"),
     both_hands=True,
     order=180,

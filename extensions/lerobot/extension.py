@@ -2,19 +2,13 @@
 
 from __future__ import annotations
 
-from tracker.session.export.formats import DatasetWriter, ExportFormat
-
-
-def _lerobot() -> DatasetWriter:
-    from extensions.lerobot.export import export_lerobot
-
-    return export_lerobot
-
+from tracker.base.registry import deferred
+from tracker.session.export.formats import ExportFormat
 
 FORMAT = ExportFormat(
     "lerobot",
     "Data set for robot learning (LeRobot, a folder)",
-    dataset=_lerobot,
+    dataset=deferred("extensions.lerobot.export:export_lerobot").load,
     options=("rate", "start", "stop", "anonymous", "dataset"),
     both_hands=True,
     folder=True,

@@ -1,46 +1,21 @@
-"""``glovetrack robot-hand``: the fingers that are found in a robot hand's file.
-
-Functions import what they need, so that ``glovetrack --help`` is fast.
-"""
+"""``glovetrack robot-hand``: the fingers that are found in a robot hand's file."""
 
 from __future__ import annotations
 
 import argparse
 import math
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from extensions.robot.library import SHADOW
-from extensions.robot.teleop_command import add_fingers
-from tracker.base.command import Command
+from extensions.robot.finger_map import map_given, write_map
+from extensions.robot.settings import RobotSettings
+from extensions.robot.survey import FingerRow, HandSurvey, survey_hand
 from tracker.base.errors import ConfigError
 from tracker.base.files import check_target
-from tracker.base.terminal import add_json, check_json, finish
-
-if TYPE_CHECKING:
-    from extensions.robot.survey import FingerRow, HandSurvey
-
-
-def add_robot_hand(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    parser.add_argument(
-        "model",
-        metavar="MODEL",
-        nargs="?",
-        default=SHADOW,
-        help="a robot hand: the path of an MJCF or URDF file (default: shadow)",
-    )
-    add_fingers(parser)
-    parser.add_argument("-o", "--out", type=Path, help="write the links as a TOML file")
-    add_json(parser)
+from tracker.base.terminal import check_json, finish
 
 
 def show_robot_hand(args: argparse.Namespace) -> int:
     """Print the fingers; write their links."""
-    from extensions.robot.finger_map import map_given, write_map
-    from extensions.robot.settings import RobotSettings
-    from extensions.robot.survey import survey_hand
-
     check_json(args)
     if args.out:
         check_target(args.out, args.force)
@@ -83,15 +58,3 @@ def _line(row: FingerRow, wide: int) -> str:
     length = "" if math.isnan(row.length) else f"{1e3 * row.length:.0f} mm"
     joints = len(row.joints) or ""
     return f"{row.finger:<9}{row.link or '–':<{wide}}{row.how:<10}{joints:>6}{length:>9}"
-
-
-ROBOT_HAND = Command(
-    "robot-hand",
-    "show the fingers that are found in a robot hand's file",
-    show_robot_hand,
-    add=add_robot_hand,
-    description="Reads an MJCF or URDF file, and prints which links are the fingertips and how "
-    "they were found: by name, by position, or chosen with --fingers. With -o, the links are "
-    "written to a TOML file that --fingers of this command and of teleop reads.",
-    extra="robot",
-)

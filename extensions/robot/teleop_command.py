@@ -6,87 +6,24 @@ import argparse
 import json
 from collections.abc import Callable, Iterable
 from dataclasses import asdict
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from extensions.robot.library import SHADOW, need_mujoco
-from tracker.base.command import Command
+from extensions.robot.driver import RobotDriver
+from extensions.robot.finger_map import map_given
+from extensions.robot.library import need_mujoco
+from extensions.robot.payload import state_payload
+from extensions.robot.pick_and_place import pick_and_place
+from extensions.robot.settings import RobotSettings
+from extensions.robot.teleop import Teleop
+from extensions.robot.teleop_live import follow_stream
+from extensions.robot.teleop_run import DriveFigures, drive, drive_again, driver_of, write_driven
 from tracker.base.errors import ConfigError
 from tracker.base.files import check_target
 from tracker.base.notices import notice
-from tracker.base.terminal import add_json, check_json, finish, progress_line
-
-if TYPE_CHECKING:
-    from extensions.robot.driver import RobotDriver
-    from extensions.robot.settings import RobotSettings
-    from extensions.robot.teleop_run import DriveFigures
-    from tracker.messages import RobotState
-
-
-def add_teleop(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    parser.add_argument("source", type=Path, nargs="?", metavar="IN", help="a session to follow")
-    parser.add_argument("-o", "--out", type=Path, help="copy of the session with the robot added")
-    parser.add_argument(
-        "--check", action="store_true", help="drive the recorded robot again and compare"
-    )
-    parser.add_argument(
-        "--listen",
-        metavar="PORT|ws://HOST:PORT",
-        help="follow a live stream over UDP or WebSocket until interrupted",
-    )
-    parser.add_argument(
-        "--seconds",
-        type=float,
-        default=0.0,
-        help="maximum duration of a live stream (0: unlimited)",
-    )
-    parser.add_argument(
-        "--simulate",
-        type=int,
-        metavar="SEED",
-        help="follow a simulated wearer who picks and places a cube",
-    )
-    parser.add_argument(
-        "--send", default="", metavar="HOST:PORT", help="send robot states as JSON over UDP"
-    )
-    parser.add_argument(
-        "--model",
-        "--hand-model",
-        default=SHADOW,
-        help="robot hand: a name, or the path of an MJCF or URDF file",
-    )
-    add_fingers(parser)
-    parser.add_argument(
-        "--side",
-        choices=("right", "left"),
-        default="",
-        help="side of the robot hand (default: the session's hand)",
-    )
-    parser.add_argument("--objects", default="cube,cylinder,ball", help="objects on the table")
-    parser.add_argument(
-        "--motion-scale", type=float, default=1.0, help="scale factor of the palm's motion"
-    )
-    parser.add_argument(
-        "--reach-scale", type=float, default=1.0, help="scale factor of the fingers' reach"
-    )
-    parser.add_argument(
-        "--clutch",
-        choices=("none", "thumb_up", "point", "fist"),
-        default="none",
-        help="gesture that couples and uncouples the palm",
-    )
-    add_json(parser)
-
-
-def add_fingers(parser: argparse.ArgumentParser) -> None:
-    """The option for links of fingertips."""
-    parser.add_argument(
-        "--fingers",
-        default="",
-        metavar="FINGER=LINK,…|FILE.toml",
-        help="links of the robot's fingertips (default: found automatically)",
-    )
+from tracker.base.terminal import check_json, finish, progress_line
+from tracker.messages import RobotState
+from tracker.session.reader import SessionReader
+from tracker.streaming.datagram import DatagramSocket
 
 
 def teleoperate(args: argparse.Namespace) -> int:
@@ -108,9 +45,6 @@ def teleoperate(args: argparse.Namespace) -> int:
 
 
 def _settings(args: argparse.Namespace, side: str) -> RobotSettings:
-    from extensions.robot.finger_map import map_given
-    from extensions.robot.settings import RobotSettings
-
     return RobotSettings(
         model=args.model,
         fingers=map_given(args.fingers).text,
@@ -123,8 +57,6 @@ def _settings(args: argparse.Namespace, side: str) -> RobotSettings:
 
 
 def _check(args: argparse.Namespace) -> int:
-    from extensions.robot.teleop_run import drive_again
-
     again = drive_again(args.source)
     same = again.different == 0 and again.compared > 0
     lines = [f"{again.robot}: {again.compared} states recomputed, {again.different} differ"]
@@ -133,9 +65,6 @@ def _check(args: argparse.Namespace) -> int:
 
 
 def _session(args: argparse.Namespace) -> int:
-    from extensions.robot.teleop_run import DriveFigures, drive, driver_of, write_driven
-    from tracker.session.reader import SessionReader
-
     if args.out:
         check_target(args.out, args.force, [args.source])
     figures = DriveFigures()
@@ -152,11 +81,6 @@ def _session(args: argparse.Namespace) -> int:
 
 
 def _live(args: argparse.Namespace) -> int:
-    from extensions.robot.driver import RobotDriver
-    from extensions.robot.teleop import Teleop
-    from extensions.robot.teleop_live import follow_stream
-    from extensions.robot.teleop_run import DriveFigures
-
     driver = RobotDriver(Teleop(_settings(args, "right")))
     figures = DriveFigures()
     with _StateSender(args.send, driver) as send:
@@ -165,11 +89,6 @@ def _live(args: argparse.Namespace) -> int:
 
 
 def _script(args: argparse.Namespace) -> int:
-    from extensions.robot.driver import RobotDriver
-    from extensions.robot.pick_and_place import pick_and_place
-    from extensions.robot.teleop import Teleop
-    from extensions.robot.teleop_run import DriveFigures
-
     driver = RobotDriver(Teleop(_settings(args, "right")))
     figures = DriveFigures()
     with _StateSender(args.send, driver) as send:
@@ -198,8 +117,6 @@ class _StateSender:
     """Sends each state to the address given by --send, if any."""
 
     def __init__(self, target: str, driver: RobotDriver) -> None:
-        from tracker.streaming.datagram import DatagramSocket
-
         self._driver = driver
         self._socket: DatagramSocket | None = None
         if target:
@@ -217,18 +134,7 @@ class _StateSender:
 
     def send(self, state: RobotState) -> None:
         """Send one datagram; a receiver is not required."""
-        from extensions.robot.payload import state_payload
-
         if self._socket is not None:
             model = self._driver.model
             payload = state_payload(state, model.joint_names, model.objects)
             self._socket.send(json.dumps(payload, separators=(",", ":")).encode())
-
-
-TELEOP = Command(
-    "teleop",
-    "drive a robot hand from a session or a live stream",
-    teleoperate,
-    add=add_teleop,
-    extra="robot",
-)

@@ -5,10 +5,8 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from extensions.sheets.kinds import SHEETS
 from tracker.base.command import Command
-from tracker.base.files import check_target, whole_file
-from tracker.base.registry import names_of
+from tracker.base.registry import deferred, names_of
 from tracker.base.terminal import add_force
 
 PAPERS = ("a4", "letter")
@@ -30,20 +28,9 @@ def add_print(parser: argparse.ArgumentParser) -> None:
     add_force(parser)
 
 
-def print_sheets(args: argparse.Namespace) -> int:
-    """Write the PDF file."""
-    from extensions.sheets.page import save_pages
-    from tracker.glove import library
-
-    check_target(args.out, args.force)
-    hand, glove = library.load(args.glove or library.DEFAULT_GLOVE)
-    pages, title = SHEETS.get(args.what).pages(hand, glove, args.paper)
-    with whole_file(args.out, args.force) as part:
-        save_pages(pages, part, title)
-    print(f"{args.out}: {len(pages)} page{'s' if len(pages) > 1 else ''}; print at 100 % scale")
-    return 0
-
-
 PRINT = Command(
-    "print", "create PDF sheets at true scale for building a glove", print_sheets, add=add_print
+    "print",
+    "create PDF sheets at true scale for building a glove",
+    deferred("extensions.sheets.command_runs:print_sheets"),
+    add=add_print,
 )

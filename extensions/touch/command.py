@@ -6,11 +6,8 @@ import argparse
 from pathlib import Path
 
 from tracker.base.command import Command
-from tracker.base.errors import ConfigError
-from tracker.base.notices import notice
-from tracker.base.terminal import add_json, check_json, finish, progress_line
-
-RULER_MM = (240.0, 280.0)
+from tracker.base.registry import deferred
+from tracker.base.terminal import add_json
 
 
 def add_touch_test(parser: argparse.ArgumentParser) -> None:
@@ -42,33 +39,34 @@ def add_touch_test(parser: argparse.ArgumentParser) -> None:
     add_json(parser)
 
 
-def touch_test(args: argparse.Namespace) -> int:
-    """Write the report."""
-    from extensions.touch.analyse import analyse
-    from extensions.touch.repeated_report import repeated_json, write_repeated
-    from extensions.touch.report import as_json, write_report
-
-    if args.ruler is not None and not RULER_MM[0] <= args.ruler <= RULER_MM[1]:
-        raise ConfigError(notice("touch.ruler_range"))
-    check_json(args, args.sessions)
-    ruler = None if args.ruler is None else args.ruler / 1000
-    results = [analyse(s, ruler, args.side, progress_line("reading")) for s in args.sessions]
-    if len(results) > 1:
-        page = write_repeated(results, args.output, args.force, args.sessions)
-        found = repeated_json(results)
-        finish(args, found, [found["line"], str(page)], [*args.sessions, page])
-        return 0
-    result = results[0]
-    written = write_report(result, args.output, args.force, args.sessions)
-    lines = [result.line, *(str(n) for n in result.notices)]
-    lines.append(", ".join(str(path) for path in written))
-    finish(args, as_json(result), lines, [*args.sessions, *written])
-    return 0
-
-
 TOUCH_TEST = Command(
     "touch-test",
     "report how accurate the fingertips of a recorded touch test are",
-    touch_test,
+    deferred("extensions.touch.command_runs:touch_test"),
     add=add_touch_test,
+)
+
+
+def add_touch(parser: argparse.ArgumentParser) -> None:
+    """Its arguments."""
+    parser.add_argument(
+        "--wearers", type=int, default=20, metavar="N", help="number of wearers (default: 20)"
+    )
+    parser.add_argument("--engine", default="chain", help="chain or vist")
+    parser.add_argument("--seed", type=int, default=1, help="random seed of the first wearer")
+    parser.add_argument(
+        "--processes",
+        type=int,
+        default=1,
+        metavar="N",
+        help="number of worker processes (default: 1)",
+    )
+    add_json(parser)
+
+
+EVALUATE = Command(
+    "evaluate touch",
+    "let simulated wearers take the touch test; compare its figures with the true error",
+    deferred("extensions.touch.simulated.command:evaluate_touch"),
+    add=add_touch,
 )

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from tracker.simulation.rooms import Room, SceneKind
-from tracker.vision.rig import StereoRig
+from tracker.base.registry import deferred
+from tracker.simulation.rooms import SceneKind
 
-
-def _room(rig: StereoRig, seed: int) -> Room:
-    from extensions.touch.simulated.images import sheet_room  # Matplotlib
-
-    return sheet_room(rig, seed)
-
-
-SCENE = SceneKind("touch_sheet", "the sheet of the touch test on a table", _room)
+SCENE = SceneKind(
+    "touch_sheet",
+    "the sheet of the touch test on a table",
+    deferred("extensions.touch.simulated.images:sheet_room"),
+)

@@ -171,7 +171,7 @@ def test_a_command_imports_no_other_command_s_modules() -> None:
     )
     loaded = set(result.stdout.splitlines()[-1].split())
     assert "extensions.applications.command" in loaded
-    others = {"tracker.offline.commands", "extensions.evaluation.vist.command", "numpy", "PySide6"}
+    others = {"tracker.offline.commands", "extensions.evaluation.commands", "numpy", "PySide6"}
     assert not others & loaded
 
 

@@ -29,7 +29,7 @@ from tracker.base.errors import DeviceError
 from tracker.base.notices import notice, plain
 from tracker.cli import main
 from tracker.doctor.cameras import cameras
-from tracker.doctor.command import report_text
+from tracker.doctor.command_runs import report_text
 from tracker.doctor.computer import _priority, disk, graphics
 from tracker.doctor.finding import CHECKS, Check, Finding, Verdict, examine
 from tracker.doctor.gloves import gloves

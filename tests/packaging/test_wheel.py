@@ -136,7 +136,7 @@ def test_another_project_can_import_it(wheel: zipfile.ZipFile, tmp_path: Path) -
     assert "--blobs-only" in run.stdout, "a command of the registry"
 
 
-def test_only_imports_are_rewritten() -> None:
+def test_only_imports_and_deferred_ones_are_rewritten() -> None:
     backend = SimpleNamespace(**runpy.run_path(str(ROOT / "packaging" / "backend.py")))
     code = '''"""from tracker.x import y: prose stays."""
 from __future__ import annotations
@@ -147,6 +147,8 @@ if True:
         engine,
     )
 import app.window.theme as theme
+run = deferred("tracker.fusion.engine:run"), "tracker.fusion"
+other = deferred("laboratory.engine:run")
 '''
     assert (
         backend.with_full_names(code)
@@ -159,6 +161,8 @@ if True:
         engine,
     )
 import glovetrack.app.window.theme as theme
+run = deferred("glovetrack.tracker.fusion.engine:run"), "tracker.fusion"
+other = deferred("laboratory.engine:run")
 '''
     )
 

@@ -3,8 +3,8 @@
 A package declares a part as an entry point of the group ``glovetrack.KIND``, which names a module's
 attribute: the descriptor. Parts of this program are declared in the same way, in `pyproject.toml`,
 so extensions and other packages are attached by the same means. A module with a descriptor is
-imported to list it, and should therefore be quick to import: slow imports belong in the functions
-of the descriptor.
+imported to list it, and should therefore be quick to import: it names the functions that do the
+work by `deferred`, which imports their module when they are first called.
 """
 
 from __future__ import annotations
@@ -12,9 +12,11 @@ from __future__ import annotations
 import logging
 import sys
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import lru_cache
+from importlib import import_module
 from importlib.metadata import EntryPoint, entry_points
-from typing import Generic, TypeVar
+from typing import Any, Generic, TypeVar
 
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
@@ -23,6 +25,31 @@ D = TypeVar("D")
 OURS = "glovetrack"
 """Name of this program's distribution."""
 _log = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True)
+class Deferred:
+    """A function or class by its name; its module is imported when it is first used.
+
+    ``name`` is ``package.module:function``, with the module's name in the source tree. A wheel has
+    other names: `packaging/backend.py` rewrites the argument of every call of `deferred`.
+    """
+
+    name: str
+
+    def load(self) -> Any:
+        """Imports and returns it."""
+        module, _, attribute = self.name.partition(":")
+        return getattr(import_module(module), attribute)
+
+    def __call__(self, *args: Any) -> Any:
+        return self.load()(*args)
+
+
+def deferred(name: str) -> Deferred:
+    """Names a function of a descriptor: ``deferred("package.module:function")`` calls it, and
+    ``deferred("package.module:Class").load`` returns it."""
+    return Deferred(name)
 
 
 class Registry(Generic[D]):

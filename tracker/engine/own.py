@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tracker.base.registry import deferred
 from tracker.engine.kinds import Capabilities, EngineKind
 from tracker.engine.settings import Settings
 from tracker.fusion.chain.params import with_measured_noise
@@ -43,29 +44,11 @@ def _inertial(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Sett
     return InertialEngine(hand, glove, with_measured_noise(settings.chain, glove))
 
 
-def _chain_state() -> type:
-    from tracker.fusion.chain.engine import ChainSavedState
-
-    return ChainSavedState
-
-
-def _vist_state() -> type:
-    from tracker.fusion.vist.engine import VistSavedState
-
-    return VistSavedState
-
-
-def _hybrid_state() -> type:
-    from tracker.fusion.hybrid import HybridSavedState
-
-    return HybridSavedState
-
-
 CHAIN = EngineKind(
     "chain",
     "chain (cameras and IMUs, our own)",
     _chain,
-    _chain_state,
+    deferred("tracker.fusion.chain.engine:ChainSavedState").load,
     Settings,
     Capabilities(wearer=True, smoothing=True),
     "Chain",
@@ -75,7 +58,7 @@ VIST = EngineKind(
     "vist",
     "vist (Lee et al. 2021)",
     _vist,
-    _vist_state,
+    deferred("tracker.fusion.vist.engine:VistSavedState").load,
     Settings,
     Capabilities(one_lens=False),
     "VIST",
@@ -85,7 +68,7 @@ SWITCHING = EngineKind(
     "switching",
     "switching (fingers by their IMUs alone)",
     _switching,
-    _hybrid_state,
+    deferred("tracker.fusion.hybrid:HybridSavedState").load,
     Settings,
     short="Switching",
     order=2,
@@ -94,7 +77,7 @@ MADGWICK = EngineKind(
     "madgwick",
     "Madgwick (fingers by their IMUs alone)",
     _madgwick,
-    _hybrid_state,
+    deferred("tracker.fusion.hybrid:HybridSavedState").load,
     Settings,
     short="Madgwick",
     order=3,
@@ -103,7 +86,7 @@ INERTIAL = EngineKind(
     "inertial",
     "inertial (IMUs only, no position)",
     _inertial,
-    _chain_state,
+    deferred("tracker.fusion.chain.engine:ChainSavedState").load,
     Settings,
     Capabilities(images=False, wearer=True),
     "IMUs only",

@@ -3,34 +3,17 @@
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
 
-from tracker.base.command import Command
 from tracker.base.files import check_target, write_whole
-from tracker.base.terminal import add_json, check_json, finish, progress_line
+from tracker.base.terminal import check_json, finish, progress_line
+from tracker.calibration.stereo.files import rig_text
+from tracker.engine.pipeline import Pipeline
+from tracker.messages import BlobFrame, CameraImuSample, ImuSample
+from tracker.offline.line_time import LineTimeEstimator
+from tracker.session.reader import SessionReader
 
 
-def _add(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "session", type=Path, metavar="SESSION", help="recording of a hand that moves fast"
-    )
-    parser.add_argument(
-        "--set",
-        type=Path,
-        metavar="OUT",
-        dest="target",
-        help="write the recording's camera calibration with this line time",
-    )
-    add_json(parser)
-
-
-def _run(args: argparse.Namespace) -> int:
-    from tracker.calibration.stereo.files import rig_text
-    from tracker.engine.pipeline import Pipeline
-    from tracker.messages import BlobFrame, CameraImuSample, ImuSample
-    from tracker.offline.line_time import LineTimeEstimator
-    from tracker.session.reader import SessionReader
-
+def run(args: argparse.Namespace) -> int:
     check_json(args, [args.session])
     if args.target is not None:
         check_target(args.target, args.force, [args.session])
@@ -62,15 +45,3 @@ def _run(args: argparse.Namespace) -> int:
     }
     finish(args, values, lines, [args.session])
     return 0
-
-
-LINE_TIME = Command[argparse.Namespace](
-    "line-time",
-    "estimate the line time of a camera with a rolling shutter from a recording",
-    _run,
-    add=_add,
-    description="Tracks the recording with several readout times and finds the one with which "
-    "markers are nearest to their predictions, together with the time offset of the camera. Swing "
-    "the hand in all directions in front of the camera for 20 s, as fast as possible "
-    "without leaving the view.",
-)

@@ -9,74 +9,23 @@ import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from tracker.base.command import Command
 from tracker.base.files import write_whole
-from tracker.base.terminal import add_force
-
-if TYPE_CHECKING:
-    from tracker.simulation.demo import DemoSpec
-    from tracker.vision.rig import StereoRig
+from tracker.calibration.stereo.files import rig_text
+from tracker.glove import library
+from tracker.offline.simulate import GLOVES
+from tracker.simulation.camera_errors import errors_named
+from tracker.simulation.demo import DemoSpec, HandTexts
+from tracker.simulation.rig_device import RigFiles, SimulatedRig
+from tracker.vision.rig import StereoRig
 
 CALIBRATION = "camera.yml"
+
+
 LASTS = 3600.0  # s of motion
 
 
-def _add_rig(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("folder", type=Path, help="folder for the device files and camera.yml")
-    parser.add_argument(
-        "--hands",
-        choices=("right", "left", "both"),
-        default="right",
-        help="hands with a glove; if both, the devices are glove_left and glove_right",
-    )
-    parser.add_argument(
-        "--lenses",
-        choices=("one", "both", "apart"),
-        default="both",
-        help="one or both lenses in one stream; apart: two cameras, camera_left.mjpeg and "
-        "camera_right.mjpeg, the right one with smaller images",
-    )
-    parser.add_argument(
-        "--right-late-ms",
-        type=float,
-        default=0.0,
-        metavar="MS",
-        help="with --lenses apart: delay of the right camera's exposure",
-    )
-    parser.add_argument(
-        "--camera-errors",
-        default="all",
-        metavar="LIST",
-        help="errors of the camera, all (default), none, or a list of lenses, calibration, "
-        "shutter, stamps and flicker",
-    )
-    parser.add_argument(
-        "--board", action="store_true", help="start with a calibration board in front of the camera"
-    )
-    parser.add_argument(
-        "--led",
-        action="store_true",
-        help="show an LED in place of the first motor in the images, for `glovetrack loop-back`",
-    )
-    parser.add_argument(
-        "--fps", type=float, default=30.0, help="frame rate of the camera, Hz (default: 30)"
-    )
-    parser.add_argument("--seed", type=int, default=1, help="random seed of the wearer")
-    parser.add_argument("--duration", type=float, metavar="S", help="stop after this time")
-    add_force(parser)
-    parser.epilog = (
-        "Commands on standard input: 'unplug left' and 'plug left' (or right) disconnect and "
-        "reconnect a glove; 'fault right KIND' starts an electrical fault (brown-out, flexed "
-        "cable, loose select, motor reset, usb suspend, wrong baud, port busy, port denied) and "
-        "'fault right' ends it; 'board' shows a calibration board to the camera, 'hand' the hand."
-    )
-
-
-def _rig(args: argparse.Namespace) -> int:
-    from tracker.simulation.rig_device import RigFiles, SimulatedRig
-
+def run_rig(args: argparse.Namespace) -> int:
     args.folder.mkdir(parents=True, exist_ok=True)
     end = time.monotonic() + (args.duration or LASTS)
     calibration = args.folder / CALIBRATION
@@ -108,11 +57,6 @@ def _rig(args: argparse.Namespace) -> int:
 
 
 def _spec(args: argparse.Namespace) -> DemoSpec:
-    from tracker.glove import library
-    from tracker.offline.simulate import GLOVES
-    from tracker.simulation.camera_errors import errors_named
-    from tracker.simulation.demo import DemoSpec, HandTexts
-
     sides = ("right", "left") if args.hands == "both" else (args.hands,)
     main, *others = (HandTexts(*library.texts(GLOVES[side])) for side in sides)
     return DemoSpec(
@@ -158,11 +102,4 @@ def _save(path: Path, text: str, force: bool) -> None:
 
 
 def _calibration(rig: StereoRig) -> str:
-    from tracker.calibration.stereo.files import rig_text
-
     return rig_text(rig, "of the simulated camera")
-
-
-RIG = Command(
-    "rig", "simulate a glove and a camera as devices of this computer", _rig, add=_add_rig
-)

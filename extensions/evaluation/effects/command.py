@@ -4,19 +4,19 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
-from extensions.evaluation.trials import add_trials, run_trials
-from tracker.base.command import Command
+from extensions.evaluation.effects.trial import EFFECTS, EffectsCase, EffectsFigures, run_trial
+from extensions.evaluation.trials import run_trials
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 from tracker.base.terminal import check_json, finish
-
-if TYPE_CHECKING:
-    from extensions.evaluation.effects.trial import EffectsFigures
+from tracker.engine.kinds import ENGINES
 
 LARGEST_RATIO = 1.15
 """Goal: error with all effects relative to the error with none."""
+
+
 SHORT = ("clean", "all")
 
 
@@ -32,25 +32,8 @@ class EffectsRow(NamedTuple):
     wrong: int
 
 
-def add_effects(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    parser.add_argument(
-        "--participants", type=int, default=4, metavar="N", help="number of people (default: 4)"
-    )
-    parser.add_argument(
-        "--seconds", type=float, default=20.0, metavar="S", help="duration of each (default: 20)"
-    )
-    parser.add_argument(
-        "--short", action="store_true", help="track only without errors and with all of them"
-    )
-    add_trials(parser)
-
-
 def evaluate_effects(args: argparse.Namespace) -> int:
     """Track the people with each set of effects and print the figures."""
-    from extensions.evaluation.effects.trial import EFFECTS, EffectsCase, run_trial
-    from tracker.engine.kinds import ENGINES
-
     check_json(args)
     ENGINES.get(args.engine)  # raises ConfigError if the name is unknown
     if args.participants < 1 or args.seconds < 5:
@@ -92,11 +75,3 @@ def table(rows: Sequence[EffectsRow]) -> list[str]:
         for r in rows
     ]
     return lines
-
-
-EFFECTS = Command(
-    "evaluate effects",
-    "track hands with the errors of real cameras and IMUs, each alone and all at once",
-    evaluate_effects,
-    add=add_effects,
-)

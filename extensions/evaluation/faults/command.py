@@ -3,26 +3,13 @@
 from __future__ import annotations
 
 import argparse
-from typing import TYPE_CHECKING
 
-from tracker.base.command import Command
-from tracker.base.terminal import add_json, check_json, finish, progress_line
-
-if TYPE_CHECKING:
-    from extensions.evaluation.faults.drill import DrillReport
-
-
-def add_faults(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    parser.add_argument("--count", type=int, default=1000, help="number of faults (default: 1000)")
-    parser.add_argument("--seed", type=int, default=1, help="random seed")
-    add_json(parser)
+from extensions.evaluation.faults.drill import DrillReport, drill
+from tracker.base.terminal import check_json, finish, progress_line
 
 
 def evaluate_faults(args: argparse.Namespace) -> int:
     """Run the drill; returns exit status 1 if an error was not reported."""
-    from extensions.evaluation.faults.drill import drill
-
     check_json(args)
     report = drill(max(args.count, 1), args.seed, progress=progress_line("failing"))
     finish(args, report.to_json(), _table(report).splitlines())
@@ -38,11 +25,3 @@ def _table(report: DrillReport) -> str:
         unsaid, wrong = report.unsaid[kind], report.silent_wrong[kind]
         lines.append(f"{kind:<16}{count:>6}{worst:>16.2f}{unsaid:>12}{wrong:>14}")
     return "\n".join(lines)
-
-
-FAULTS = Command(
-    "evaluate faults",
-    "inject random faults into a simulated glove and camera and check the tracking",
-    evaluate_faults,
-    add=add_faults,
-)

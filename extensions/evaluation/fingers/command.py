@@ -6,22 +6,22 @@ from __future__ import annotations
 import argparse
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
-from tracker.base.command import Command
-from tracker.base.terminal import add_json, check_json, finish, progress_line
+from extensions.evaluation.fingers.trial import Bound, TipErrors, bound_of, tips_of
+from tracker.base.terminal import check_json, finish, progress_line
 from tracker.messages import Array
-
-if TYPE_CHECKING:
-    from extensions.evaluation.fingers.trial import Bound, TipErrors
-
 
 WITHOUT, WITH, BOUND = CLOTH = ("without", "with", "silhouette")
 """Without the cloth for ring and little finger, with it, and with the hand's true silhouettes."""
+
+
 DISTAL = "distal"
 """Without the cloth, by a glove with patches on the end segments."""
+
+
 HALF = 0.5  # share of a digit
 
 
@@ -41,32 +41,9 @@ class TipRow(NamedTuple):
     visible_mm: float | None
 
 
-def add_fingers(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    parser.add_argument(
-        "sessions", nargs="+", metavar="SESSION", help="session with the true hand, as simulated"
-    )
-    parser.add_argument(
-        "--colours",
-        default="",
-        metavar="PROFILE",
-        help="colour profile that includes the glove's cloth (default: the recorded profile)",
-    )
-    parser.add_argument(
-        "--distal",
-        nargs="+",
-        default=[],
-        metavar="SESSION",
-        help="sessions of the same motion with a glove with patches on the end segments",
-    )
-    add_json(parser)
-
-
 def evaluate_fingers(args: argparse.Namespace) -> int:
     """Track each session with and without the cloth and with true silhouettes, and others with
     distal patches, and print the figures of all together."""
-    from extensions.evaluation.fingers.trial import bound_of, tips_of
-
     paths, distal = [Path(name) for name in args.sessions], [Path(name) for name in args.distal]
     check_json(args, [*paths, *distal])
 
@@ -162,11 +139,3 @@ def table(rows: Sequence[TipRow]) -> list[str]:
 
 def _number(mm: float | None) -> str:
     return "-" if mm is None else f"{mm:.1f}"
-
-
-FINGERS = Command(
-    "evaluate fingers",
-    "track sessions with and without the glove's cloth; compare each fingertip with the true hand",
-    evaluate_fingers,
-    add=add_fingers,
-)

@@ -4,28 +4,26 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
-from extensions.evaluation.trials import add_trials, run_trials
-from tracker.base.command import Command
+from extensions.evaluation.commands import DEVICES
+from extensions.evaluation.gaps.trial import GapsCase, GapsFigures, run_trial
+from extensions.evaluation.trials import run_trials
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 from tracker.base.terminal import check_json, finish
+from tracker.engine.kinds import ENGINES
 
-if TYPE_CHECKING:
-    from extensions.evaluation.gaps.trial import GapsFigures
-
-DURATIONS = (0.2, 0.5, 1.0, 3.0, 10.0)
-"""s that the hand is out of view."""
 LONGEST_RETURN = 0.15
 """Goal: s from the first image with five markers until the hand is tracked."""
+
+
 MOST_LOST = 0.003
 """Goal: share of later instants with five markers in view at which the hand has no position."""
+
+
 LEAST_TRUE = 0.97
 """Goal: share of errors within three standard deviations while the hand is out of view."""
-
-DEVICES = {"ideal": (False,), "real": (True,), "both": (False, True)}
-"""By the values of ``--devices``: whether devices have errors, in turn."""
 
 
 class GapsRow(NamedTuple):
@@ -51,33 +49,8 @@ class GapsRow(NamedTuple):
         return back and self.true >= LEAST_TRUE and not self.wrong
 
 
-def add_gaps(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    parser.add_argument(
-        "--participants", type=int, default=4, metavar="N", help="number of people (default: 4)"
-    )
-    parser.add_argument(
-        "--gaps",
-        type=float,
-        nargs="+",
-        default=list(DURATIONS),
-        metavar="S",
-        help="how long the hand is out of view (default: 0.2 0.5 1 3 10)",
-    )
-    parser.add_argument(
-        "--devices",
-        choices=list(DEVICES),
-        default="both",
-        help="without errors, or with those of real devices (default: both in turn)",
-    )
-    add_trials(parser, images=False)
-
-
 def evaluate_gaps(args: argparse.Namespace) -> int:
     """Track the people with gaps of each duration and print the figures."""
-    from extensions.evaluation.gaps.trial import GapsCase, run_trial
-    from tracker.engine.kinds import ENGINES
-
     check_json(args)
     ENGINES.get(args.engine)  # raises ConfigError if the name is unknown
     if args.participants < 1 or not 0.1 <= min(args.gaps) <= max(args.gaps) <= 60:
@@ -133,11 +106,3 @@ def table(rows: Sequence[GapsRow]) -> list[str]:
         for r in rows
     ]
     return lines
-
-
-GAPS = Command(
-    "evaluate gaps",
-    "track hands that leave the view for a while and return",
-    evaluate_gaps,
-    add=add_gaps,
-)

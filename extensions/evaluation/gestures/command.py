@@ -4,47 +4,17 @@ from __future__ import annotations
 
 import argparse
 from collections import defaultdict
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from tracker.base.command import Command
-from tracker.base.terminal import add_json, check_json, finish, progress_line
+import numpy as np
 
-if TYPE_CHECKING:
-    from extensions.evaluation.gestures.score import GestureScore, Held
-
-
-def add_gestures(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    parser.add_argument(
-        "--people", type=int, default=8, metavar="N", help="number of simulated people (default: 8)"
-    )
-    parser.add_argument(
-        "--seconds",
-        type=float,
-        default=60.0,
-        help="duration of free motion per person (default: 60)",
-    )
-    parser.add_argument("--seed", type=int, default=1, help="random seed of the first person")
-    parser.add_argument("--glove", default="", help="glove name or file")
-    parser.add_argument(
-        "--on-truth", action="store_true", help="use the simulator's truth instead of tracking it"
-    )
-    parser.add_argument(
-        "--motion",
-        type=Path,
-        nargs="+",
-        default=[],
-        metavar="FILE",
-        help="use recorded hand motion instead of simulated people",
-    )
-    add_json(parser)
+from extensions.evaluation.gestures.recorded import score_recorded, together
+from extensions.evaluation.gestures.score import GestureScore, Held, score
+from tracker.base.terminal import check_json, finish, progress_line
 
 
 def evaluate_gestures(args: argparse.Namespace) -> int:
     """Score gesture recognition and print the result."""
-    from extensions.evaluation.gestures.score import score
-
     check_json(args, args.motion)
     if args.motion:
         return _evaluate_recorded(args)
@@ -59,8 +29,6 @@ def evaluate_gestures(args: argparse.Namespace) -> int:
 
 
 def _evaluate_recorded(args: argparse.Namespace) -> int:
-    from extensions.evaluation.gestures.recorded import score_recorded, together
-
     watch = progress_line("evaluating")
     scores = []
     for i, path in enumerate(args.motion):
@@ -72,8 +40,6 @@ def _evaluate_recorded(args: argparse.Namespace) -> int:
 
 
 def _report(scores: list[GestureScore]) -> dict[str, Any]:
-    import numpy as np
-
     by_name: dict[str, list[Held]] = defaultdict(list)
     for one in scores:
         for pose in one.held:
@@ -103,11 +69,3 @@ def _lines(report: dict[str, Any]) -> list[str]:
         f"false detections per minute of free motion: {report['false_per_minute']:.2f} ({false})"
     )
     return lines
-
-
-GESTURES = Command(
-    "evaluate gestures",
-    "score gesture recognition on simulated or recorded hands",
-    evaluate_gestures,
-    add=add_gestures,
-)

@@ -5,56 +5,21 @@ from __future__ import annotations
 import argparse
 from collections.abc import Sequence
 from dataclasses import asdict
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from extensions.evaluation.session_names import SESSIONS
-from tracker.base.command import Command
+from extensions.evaluation.hands.trial import HandFigures, run_trial
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
-from tracker.base.terminal import add_json, check_json, finish, progress_line
-
-if TYPE_CHECKING:
-    from extensions.evaluation.hands.trial import HandFigures
+from tracker.base.terminal import check_json, finish, progress_line
+from tracker.base.workers import WorkItem, run_all, some_workers
+from tracker.engine.kinds import ENGINES
 
 LONGEST_RATIO, LONGEST_OFF = 1.2, 0.2
 """Goals: error together relative to error alone, and longest time in s with a wrong position."""
 
 
-def add_hands(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    parser.add_argument(
-        "--pairs", type=int, default=20, metavar="N", help="number of pairs of hands (default: 20)"
-    )
-    parser.add_argument(
-        "--seconds", type=float, default=20.0, metavar="S", help="duration per pair (default: 20)"
-    )
-    parser.add_argument("--engine", default="chain", help="chain or vist")
-    parser.add_argument(
-        "--fps", type=float, default=60.0, help="frame rate of the camera, Hz (default: 60)"
-    )
-    parser.add_argument(
-        "--session",
-        default="",
-        choices=("", *SESSIONS),
-        help="other sessions: " + ", ".join(f"{name} ({what})" for name, what in SESSIONS.items()),
-    )
-    parser.add_argument("--seed", type=int, default=0, help="random seed of the first pair")
-    parser.add_argument(
-        "--processes",
-        type=int,
-        default=1,
-        metavar="N",
-        help="number of worker processes (default: 1)",
-    )
-    add_json(parser)
-
-
 def evaluate_hands(args: argparse.Namespace) -> int:
     """Track the pairs and print the figures."""
-    from extensions.evaluation.hands.trial import run_trial
-    from tracker.base.workers import WorkItem, run_all, some_workers
-    from tracker.engine.kinds import ENGINES
-
     check_json(args)
     ENGINES.get(args.engine)  # raises ConfigError if the name is unknown
     if args.pairs < 1 or args.seconds < 4 or not 5 <= args.fps <= 240:
@@ -110,12 +75,3 @@ def table(rows: Sequence[HandFigures], found: dict[str, Any]) -> list[str]:
         f"{'':>17}{found['longest_off_s']:>16.2f}"
     )
     return lines
-
-
-HANDS = Command(
-    "evaluate hands",
-    "track two simulated hands that cross and occlude each other; compare with each hand alone, "
-    "and with each hand occluded by a hand without markers",
-    evaluate_hands,
-    add=add_hands,
-)

@@ -5,58 +5,28 @@ from __future__ import annotations
 import argparse
 from typing import Any
 
-from tracker.base.command import Command
+import numpy as np
+
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
-from tracker.base.terminal import add_json, check_json, finish, progress_line
+from tracker.base.terminal import check_json, finish, progress_line
 
 GOAL_MM = 5.0
 
 
-def add_robot(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    parser.add_argument(
-        "--trials",
-        type=int,
-        default=10,
-        metavar="N",
-        help="number of pick-and-place trials (default: 10)",
-    )
-    parser.add_argument(
-        "--people",
-        type=int,
-        default=4,
-        metavar="N",
-        help="number of people who move at random (default: 4)",
-    )
-    parser.add_argument(
-        "--seconds",
-        type=float,
-        default=20.0,
-        help="duration of random motion per person (default: 20)",
-    )
-    parser.add_argument("--seed", type=int, default=1, help="random seed of the first person")
-    parser.add_argument(
-        "--side", choices=("right", "left"), default="right", help="side of the robot hand"
-    )
-    parser.add_argument(
-        "--model", default="shadow", help="robot hand: a name, or the path of an MJCF file"
-    )
-    add_json(parser)
-
-
 def evaluate_robot(args: argparse.Namespace) -> int:
     """Run the trials and print the figures."""
-    try:
+    try:  # deferred: the folder of the robot may be removed
+        from extensions.evaluation.robot.score import tip_score
+        from extensions.robot.hand import load_hand
         from extensions.robot.library import need_mujoco
-    except ImportError as error:
+        from extensions.robot.pick_and_place import pick_and_place
+        from extensions.robot.settings import RobotSettings
+        from extensions.robot.teleop import Teleop
+    except ModuleNotFoundError as error:
+        if error.name == "mujoco":
+            raise
         raise ConfigError(notice("evaluation.no_robot")) from error
-    from extensions.evaluation.robot.score import tip_score
-    from extensions.robot.hand import load_hand
-    from extensions.robot.pick_and_place import pick_and_place
-    from extensions.robot.settings import RobotSettings
-    from extensions.robot.teleop import Teleop
-
     check_json(args, [])
     need_mujoco()
     settings = RobotSettings(model=args.model, side=args.side)
@@ -80,8 +50,6 @@ def evaluate_robot(args: argparse.Namespace) -> int:
 
 
 def _report(scores: list[Any], trials: list[Any], times: list[float]) -> dict[str, Any]:
-    import numpy as np
-
     report: dict[str, Any] = {}
     if scores:
         errors = np.concatenate([s.errors_mm for s in scores])
@@ -121,12 +89,3 @@ def _lines(report: dict[str, Any]) -> list[str]:
             f"step time {report['step_ms_median']:.2f} ms (99 %: {report['step_ms_99']:.2f} ms)"
         )
     return lines
-
-
-ROBOT = Command(
-    "evaluate robot",
-    "evaluate a robot hand that follows a wearer and picks up a cube",
-    evaluate_robot,
-    add=add_robot,
-    extra="robot",
-)

@@ -4,23 +4,17 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
-from extensions.evaluation.trials import add_trials, run_trials
-from tracker.base.command import Command
+from extensions.evaluation.shutter.trial import ShutterCase, ShutterFigures, run_trial
+from extensions.evaluation.trials import run_trials
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 from tracker.base.terminal import check_json, finish
-
-if TYPE_CHECKING:
-    from extensions.evaluation.shutter.trial import ShutterFigures
+from tracker.engine.kinds import ENGINES
 
 LARGEST_RATIO = 1.03
 """Goal: error with a rolling shutter relative to the error with a global one."""
-SPEEDS = (0.5, 1.0, 2.0)
-"""Peak speeds of the hand, m/s."""
-TURNING_DEG = 200.0
-"""Peak rate of the camera in the last row, °/s; the hand then moves with the first speed."""
 
 
 class ShutterRow(NamedTuple):
@@ -38,44 +32,8 @@ class ShutterRow(NamedTuple):
         return self.known_mm / self.global_mm
 
 
-def add_shutter(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    parser.add_argument(
-        "--participants", type=int, default=4, metavar="N", help="number of people (default: 4)"
-    )
-    parser.add_argument(
-        "--seconds", type=float, default=20.0, metavar="S", help="duration of each (default: 20)"
-    )
-    parser.add_argument(
-        "--readout-ms",
-        type=float,
-        default=18.0,
-        metavar="MS",
-        help="time from the first row's exposure to the last one's (default: 18)",
-    )
-    parser.add_argument(
-        "--speeds",
-        type=float,
-        nargs="+",
-        default=list(SPEEDS),
-        metavar="M/S",
-        help="peak speeds of the hand (default: 0.5 1 2)",
-    )
-    parser.add_argument(
-        "--turning-deg",
-        type=float,
-        default=TURNING_DEG,
-        metavar="DEG",
-        help="peak rate of the camera in the table's last row, °/s (default: 200; 0: no such row)",
-    )
-    add_trials(parser)
-
-
 def evaluate_shutter(args: argparse.Namespace) -> int:
     """Track the people in front of three cameras each and print the figures."""
-    from extensions.evaluation.shutter.trial import ShutterCase, run_trial
-    from tracker.engine.kinds import ENGINES
-
     check_json(args)
     ENGINES.get(args.engine)  # raises ConfigError if the name is unknown
     if args.participants < 1 or args.seconds < 5 or not 0 < args.readout_ms <= 50:
@@ -126,11 +84,3 @@ def table(rows: Sequence[ShutterRow]) -> list[str]:
             f"{r.known_mm:>14.2f}{r.ratio:>8.3f}"
         )
     return lines
-
-
-SHUTTER = Command(
-    "evaluate shutter",
-    "track fast hands, and hands in front of a turning camera, with a rolling shutter",
-    evaluate_shutter,
-    add=add_shutter,
-)

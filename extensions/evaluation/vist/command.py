@@ -10,33 +10,41 @@ from pathlib import Path
 from typing import Any, TextIO
 
 from extensions.evaluation.session_names import SESSIONS
+from extensions.evaluation.vist.agreement import lines_of
+from extensions.evaluation.vist.cases import (
+    ABLATIONS,
+    DISTAL_GLOVE,
+    EXPERIMENTS,
+    GUIDED,
+    MINUTES,
+    Case,
+)
+from extensions.evaluation.vist.metrics import summarise
 from extensions.evaluation.vist.options import ENGINES_OF, VistOptions
-from tracker.base.arguments import add_options, options_of
-from tracker.base.command import Command
+from extensions.evaluation.vist.paper import PAPER
+from extensions.evaluation.vist.report import write_report
+from extensions.evaluation.vist.run import run_cases
+from extensions.evaluation.vist.stored import StoredTrials
+from extensions.evaluation.vist.table import HEAD, line_of, paper_line, row_of
+from extensions.evaluation.vist.trial import models
+from tracker.base.arguments import options_of
 from tracker.base.errors import ConfigError
 from tracker.base.files import check_folder_target
 from tracker.base.notices import notice
-from tracker.base.terminal import add_json, check_json, write_json
+from tracker.base.terminal import check_json, write_json
+from tracker.engine.kinds import ENGINES, capabilities_of
+from tracker.fusion.chain.calibration.profile_file import read_wearer
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.simulation.desk.lights import LIGHTS
 
 QUICK_PARTICIPANTS = 2
+
+
 QUICK_MINUTES = 0.35
-
-
-def add_vist(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    add_options(parser, VistOptions)
-    add_json(parser)
-    parser.add_argument(
-        "--out", type=Path, metavar="DIR", help="folder for figures and an HTML report"
-    )
 
 
 def run(args: argparse.Namespace) -> int:
     """Run the cases, print the table, and write the selected outputs."""
-    from extensions.evaluation.vist.run import run_cases
-    from extensions.evaluation.vist.stored import StoredTrials
-    from extensions.evaluation.vist.table import row_of
-
     check_json(args)
     if args.out:
         check_folder_target(args.out, args.force)
@@ -52,8 +60,6 @@ def run(args: argparse.Namespace) -> int:
     if args.json:
         write_json({"rows": rows}, args.json, args.force)
     if args.out and results:
-        from extensions.evaluation.vist.report import write_report
-
         page = write_report(args.out, results, rows)
         print(f"Report: {page}", file=table)
     done, wanted = sum(len(trials) for _, trials in results), len(cases) * participants
@@ -66,11 +72,6 @@ def _print_table(
     results: Sequence[tuple[Any, Any]], table: TextIO, all_keypoints: bool = False
 ) -> None:
     """The paper's figures first, then a line per case, and all keypoints where asked for."""
-    from extensions.evaluation.vist.agreement import lines_of
-    from extensions.evaluation.vist.metrics import summarise
-    from extensions.evaluation.vist.paper import PAPER
-    from extensions.evaluation.vist.table import HEAD, line_of, paper_line
-
     print(HEAD, file=table)
     for experiment in dict.fromkeys(case.experiment for case, _ in results):
         if experiment in PAPER:
@@ -84,9 +85,6 @@ def _print_table(
 
 def cases_of(args: VistOptions) -> list[Any]:
     """The selected rows, ablations last. Raises ConfigError for unknown names."""
-    from extensions.evaluation.vist.cases import EXPERIMENTS, MINUTES, Case
-    from tracker.engine.kinds import ENGINES
-
     engines = args.engines or ENGINES_OF[args.lenses]
     _known(engines, ENGINES.names(), "engine")
     _check_lenses(args.lenses, engines)
@@ -117,8 +115,6 @@ def cases_of(args: VistOptions) -> list[Any]:
 
 def _check_lenses(lenses: str, engines: Sequence[str]) -> None:
     """Raises ConfigError if an engine does not support this number of lenses."""
-    from tracker.engine.kinds import capabilities_of
-
     blind = [e for e in engines if not capabilities_of(e).images]
     if lenses == "none" and len(blind) < len(engines):
         raise ConfigError(notice("vist.needs_camera"))
@@ -131,10 +127,6 @@ def _check_lenses(lenses: str, engines: Sequence[str]) -> None:
 
 def _check_wearer(path: Path, engines: Sequence[str]) -> None:
     """Raises ConfigError if an engine does not use a profile, FileError if the file is invalid."""
-    from extensions.evaluation.vist.trial import models
-    from tracker.fusion.chain.calibration.profile_file import read_wearer
-    from tracker.fusion.chain.layout import ChainLayout
-
     if tuple(engines) not in (("chain",), ("inertial",)):
         raise ConfigError(notice("vist.profile_engine"))
     read_wearer(path, ChainLayout(*models()))
@@ -143,8 +135,6 @@ def _check_wearer(path: Path, engines: Sequence[str]) -> None:
 def _lit(args: VistOptions, cases: Sequence[Any]) -> list[Any]:
     """The cases repeated over a desk in each light, if images are simulated; not for a camera on
     the head."""
-    from tracker.simulation.desk.lights import LIGHTS
-
     lights = () if "none" in args.lights or args.level != "images" else args.lights
     _known(lights, LIGHTS, "light")
     return [
@@ -176,8 +166,6 @@ def _smooths(case: Any) -> bool:
 
 def _guided(case: Any) -> list[Any]:
     """Cases with guided poses, compared with markers on the fingertips."""
-    from extensions.evaluation.vist.cases import DISTAL_GLOVE, GUIDED
-
     engine = "inertial" if case.lenses == "none" else "chain"
     case = replace(case, experiment="free", engine=engine)
     rows = [replace(case, guided=how) for how in GUIDED]
@@ -188,8 +176,6 @@ def _guided(case: Any) -> list[Any]:
 
 def _ablations(names: Sequence[str], cases: Sequence[Any]) -> list[Any]:
     """Variants of ``cases``, one per engine, each in its experiment."""
-    from extensions.evaluation.vist.cases import ABLATIONS
-
     names = tuple(ABLATIONS) if "all" in names else names
     _known(names, ABLATIONS, "ablation")
     return [
@@ -209,11 +195,3 @@ def _known(names: Sequence[str], known: Sequence[str] | Mapping[str, Any], what:
     for name in names:
         if name not in known:
             raise ConfigError(notice("vist.unknown", what=what, name=name, known=tuple(known)))
-
-
-VIST = Command(
-    "evaluate vist",
-    "track simulated hands in the three experiments of Lee et al. 2021",
-    run,
-    add=add_vist,
-)

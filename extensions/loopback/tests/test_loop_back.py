@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from extensions.loopback import measure as measuring
-from extensions.loopback.command import figures, lines
+from extensions.loopback.command_runs import figures, lines
 from extensions.loopback.fit import DelayedLight, find_light
 from extensions.loopback.measure import LoopBack, measure
 from tracker.base.errors import DeviceError

@@ -5,46 +5,28 @@ from __future__ import annotations
 import argparse
 from collections.abc import Sequence
 from dataclasses import asdict
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from tracker.base.command import Command
+import numpy as np
+
+from extensions.touch.simulated.trial import FAULTS, WearerFigures, run_trial
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
-from tracker.base.terminal import add_json, check_json, finish, progress_line
-
-if TYPE_CHECKING:
-    from extensions.touch.simulated.trial import WearerFigures
+from tracker.base.terminal import check_json, finish, progress_line
+from tracker.base.workers import WorkItem, run_all, some_workers
+from tracker.engine.kinds import ENGINES
 
 BIAS_GOAL_MM, SD_GOAL = 0.5, 0.15
 """Goals: mean difference of the bias along each axis, and relative difference of the pooled
 standard deviation."""
+
+
 TURNS = (0, 1, 2, 3, 0)
 """Number of the fault of each of five wearers, one after the other: two have none."""
 
 
-def add_touch(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    parser.add_argument(
-        "--wearers", type=int, default=20, metavar="N", help="number of wearers (default: 20)"
-    )
-    parser.add_argument("--engine", default="chain", help="chain or vist")
-    parser.add_argument("--seed", type=int, default=1, help="random seed of the first wearer")
-    parser.add_argument(
-        "--processes",
-        type=int,
-        default=1,
-        metavar="N",
-        help="number of worker processes (default: 1)",
-    )
-    add_json(parser)
-
-
 def evaluate_touch(args: argparse.Namespace) -> int:
     """Let the wearers take the test and print the figures."""
-    from extensions.touch.simulated.trial import FAULTS, run_trial
-    from tracker.base.workers import WorkItem, run_all, some_workers
-    from tracker.engine.kinds import ENGINES
-
     check_json(args)
     ENGINES.get(args.engine)  # raises ConfigError if the name is unknown
     if args.wearers < 1:
@@ -66,8 +48,6 @@ def evaluate_touch(args: argparse.Namespace) -> int:
 
 def summary(rows: Sequence[WearerFigures]) -> dict[str, Any]:
     """JSON values: each wearer, the differences pooled over all, and whether the goals are met."""
-    import numpy as np
-
     fingers = [f for r in rows for f in r.fingers]
     off = np.array([f.bias_found for f in fingers]) - np.array([f.bias_true for f in fingers])
     dof = np.array([f.touches - 1 for f in fingers])
@@ -130,11 +110,3 @@ def table(rows: Sequence[WearerFigures], found: dict[str, Any]) -> list[str]:
         f"{said['camera_said']}, with a ruler as the camera's: {said['camera_said_with_ruler']}; "
         f"reported without reason: {said['said_wrongly']}",
     ]
-
-
-EVALUATE = Command(
-    "evaluate touch",
-    "let simulated wearers take the touch test; compare its figures with the true error",
-    evaluate_touch,
-    add=add_touch,
-)

@@ -1,0 +1,122 @@
+"""``glovetrack study``: check, run, status, report, tables and export."""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+from collections.abc import Iterator
+from dataclasses import asdict
+from pathlib import Path
+
+from extensions.study.examples import protocol_path
+from extensions.study.folder import Study, open_study, start_study
+from extensions.study.headless import run_headless
+from extensions.study.overview import (
+    lines_of_protocol,
+    lines_of_status,
+    protocol_as_json,
+    status_as_json,
+)
+from extensions.study.protocol import Protocol, load_protocol
+from extensions.study.report import write_movement
+from extensions.study.results import write_report
+from tracker.base.command import UsageError
+from tracker.base.errors import ConfigError
+from tracker.base.files import check_folder_target, check_target, write_whole
+from tracker.base.notices import failure, notice
+from tracker.base.numeric_threads import one_numeric_thread
+from tracker.base.terminal import (
+    check_json,
+    finish,
+    printable,
+    progress_line,
+    stopped_by_signals,
+)
+from tracker.session.export.options import ExportOptions
+
+
+def run_check(args: argparse.Namespace) -> None:
+    path = protocol_path(args.protocol)
+    check_json(args, [path])
+    protocol, _ = load_protocol(path)
+    finish(args, protocol_as_json(protocol), lines_of_protocol(protocol), [path])
+
+
+def run_study(args: argparse.Namespace) -> int:
+    if args.headless and not args.simulated:
+        raise UsageError(notice("option.requires", option="--headless", needed="--simulated"))
+    path = protocol_path(args.protocol)
+    protocol, _ = load_protocol(path)
+    study = start_study(path, args.folder or Path(protocol.name))
+    if args.participant:
+        study.progress(args.participant)  # raises for an unknown one
+    if not args.headless:
+        from extensions.study.window.start import open_study_window  # deferred: Qt
+
+        return open_study_window(study, args.participant, args.simulated)
+    return _run_headless(study, protocol, args.participant)
+
+
+def _run_headless(study: Study, protocol: Protocol, participant: str) -> int:
+    chosen = (participant,) if participant else protocol.participants
+    with one_numeric_thread(), stopped_by_signals():
+        for label in chosen:
+            run_headless(study.progress(label), lambda line: print(printable(line), flush=True))
+    return 0
+
+
+def run_status(args: argparse.Namespace) -> None:
+    check_json(args)
+    study = open_study(args.source)
+    finish(args, status_as_json(study), lines_of_status(study))
+
+
+def run_tables(args: argparse.Namespace) -> None:
+    with _other_extension("evaluation"):  # deferred: may be removed
+        from extensions.study import retrack, tables
+
+    study = open_study(args.source)
+    out = args.output or args.source / "tables.csv"
+    check_json(args)
+    check_target(out, args.force or args.output is None)
+    names = tuple(n.strip() for n in args.variants.split(",") if n.strip())
+    names = names or (tuple(retrack.variants()) if args.ablations else (retrack.RECORDED,))
+    evaluated = tables.evaluate(
+        study, retrack.chosen(names), args.processes, progress_line("tracking")
+    )
+    rows = tables.rows_of(evaluated)
+    write_whole(out, tables.as_csv(rows), force=args.force or args.output is None)
+    lines = [*tables.lines_of(rows), f"{out}: {len(rows)} rows"]
+    finish(args, {"rows": [asdict(row) for row in rows]}, lines, [out])
+
+
+def run_report(args: argparse.Namespace) -> None:
+    study = open_study(args.source)
+    folder = args.output or args.source / "report"
+    if args.output is not None:
+        check_folder_target(folder, args.force)
+    print(write_report(study, folder))
+    if args.movement:
+        write_movement(study, folder / "movement.html")
+        print(folder / "movement.html")
+
+
+def run_export(args: argparse.Namespace) -> None:
+    with _other_extension("movement"):  # deferred: may be removed
+        from extensions.study.export import export_study
+
+    check_json(args)
+    study = open_study(args.source)
+    options = ExportOptions(anonymous=("time", "notes") if args.anonymous else ())
+    count = export_study(study, args.output, options, args.force, progress_line("exporting"))
+    result = {"recordings": count, "folder": str(args.output)}
+    finish(args, result, [f"{args.output}: {count} recordings"], [args.output])
+
+
+@contextlib.contextmanager
+def _other_extension(name: str) -> Iterator[None]:
+    """Imports of another extension, whose folder may have been removed."""
+    try:
+        yield
+    except ModuleNotFoundError as error:
+        raise ConfigError(failure("study.needs_extension", name=name)) from error
