@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 if TYPE_CHECKING:
-    import pandas as pd
+    import pandas as pd  # deferred: an extra
 
 Array = NDArray[np.float64]
 
@@ -72,7 +72,7 @@ class Columns(Mapping[str, NDArray[Any]]):
 def frame(t: Array, columns: Mapping[str, NDArray[Any]]) -> pd.DataFrame:
     """A pandas table of arrays (N,) over ``t`` (N,) s. Raises ImportError without pandas."""
     try:
-        import pandas as pd
+        import pandas as pd  # deferred: an extra
     except ImportError as error:
         raise ImportError(
             "to_frame() needs pandas, which is not installed. "

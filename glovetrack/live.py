@@ -9,7 +9,6 @@ from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -17,7 +16,6 @@ from glovetrack.devices import (
     ConnectedGlove,
     Devices,
     glove_devices,
-    simulated_devices,
     with_camera,
 )
 from glovetrack.recorded import RecordedEvent
@@ -41,9 +39,6 @@ from tracker.streaming.publisher import Names
 from tracker.streaming.registry import StreamSettings, open_streams, with_streams
 from tracker.vision.colours import ColourProfile, parse_profile, profile_to_toml
 from tracker.vision.detector import Detector
-
-if TYPE_CHECKING:
-    pass
 
 QUEUED = 500
 """Estimates that wait to be read; beyond that the oldest are discarded and counted."""
@@ -125,6 +120,8 @@ class LiveTracker:
 
         ``hands``: ``right``, ``left`` or ``both``; without a ``camera`` the hand has no position.
         """
+        from glovetrack.simulated_devices import simulated_devices  # deferred: the simulator
+
         return cls(simulated_devices(seed, fps, hands, camera), engine)
 
     @classmethod

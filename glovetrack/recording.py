@@ -113,7 +113,7 @@ class Recording(RecordedData):
         new file, else one that is deleted with the returned object; ``options``: all options of
         ``glovetrack track``, instead of the other arguments. Raises GlovetrackError.
         """
-        from tracker.offline.track import track
+        from tracker.offline.track import track  # deferred: loads every engine
 
         asked = options or TrackOptions(
             engine=engine, wearer=str(wearer), smooth=smooth, with_sensors=True
@@ -136,7 +136,7 @@ class Recording(RecordedData):
         Returns the content of the JSON file that describes the export. An existing file is replaced
         only with ``force``. Raises GlovetrackError.
         """
-        from tracker.session.export.run import export
+        from tracker.session.export.run import export  # deferred: loads every format
 
         with one_numeric_thread(), self._file.as_file(to_track=False) as source:
             return MappingProxyType(
@@ -147,7 +147,7 @@ class Recording(RecordedData):
         """Compares it with another tracking of the same movement: ``identical``, distances of
         keypoints in mm, differences of angles in degrees. Raises FileError where the two have no
         instants in common."""
-        from tracker.session.compare import compare
+        from tracker.session.compare import compare  # deferred: most programs only read
 
         with self._file.as_file(False) as one, other._file.as_file(False) as two:
             return MappingProxyType(compare(one, two))
@@ -198,11 +198,12 @@ def simulate(
     which is faster. ``options``: all options of ``glovetrack simulate``, instead of these.
     Raises ConfigError for invalid ones.
     """
-    from tracker.offline.simulate import SimulateOptions
-    from tracker.offline.simulate import simulate as run
+    from tracker.offline import simulate as simulation  # deferred: the simulator
 
-    asked = options or SimulateOptions(seed=seed, duration=duration, hands=hands, images=images)
+    asked = options or simulation.SimulateOptions(
+        seed=seed, duration=duration, hands=hands, images=images
+    )
     with _target(path, "simulated.mcap") as (target, folder):
         with one_numeric_thread():
-            run(target, asked, force=force)
+            simulation.simulate(target, asked, force=force)
         return Recording(target, folder=folder)

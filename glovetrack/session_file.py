@@ -117,7 +117,7 @@ class SessionFile:
         if self.window is None:
             yield self.path
             return
-        from tracker.offline.crop import crop
+        from tracker.offline.crop import crop  # deferred: loads SciPy
 
         start, stop = self.window
         end = stop if np.isfinite(stop) else None

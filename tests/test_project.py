@@ -174,7 +174,7 @@ def test_a_left_glove_mirrors_its_right_one(path: Path) -> None:
 
 THREADS = {
     "app/engines/apart/child.py": "requests and news of the window",
-    "app/engines/apart/demo.py": "builds the simulated hands when they are needed",
+    "app/engines/apart/demo_truth.py": "builds the simulated hands when they are needed",
     "app/engines/apart/process.py": "news of the process that tracks",
     "app/engines/demo.py": "finds how the simulated wearer touches his fingertips",
     "app/engines/replay/thread.py": "plays a session beside the window",
@@ -212,7 +212,7 @@ THREADS = {
 """Who starts threads or processes, and what for."""
 
 CLOCKS = {
-    "tracker/doctor/command.py": "when the report was made",
+    "tracker/doctor/command_runs.py": "when the report was made",
     "tracker/base/urgency.py": "how much of a processor a real-time thread uses",
     "tracker/doctor/machine.py": "rates of devices and of the disk",
     "tracker/doctor/speed.py": "how long tracking takes",
@@ -246,7 +246,7 @@ CLOCKS = {
     "app/wizards/glove/feed.py": "waits for packets",
     "app/wizards/stereo/result.py": "the date of a calibration",
     "tracker/base/clock.py": "the host's clock, to be handed over",
-    "glovetrack/devices.py": "begins now",
+    "glovetrack/simulated_devices.py": "begins now",
     "glovetrack/live.py": "anchors a session to the wall clock",
     "extensions/evaluation/fingers/trial.py": "measures",
     "extensions/evaluation/inertial/cost.py": "measures",
@@ -358,3 +358,37 @@ def test_the_architecture_page_names_every_part() -> None:
             assert f"{package}/{path.name}" in named, f"{package}/{path.name} is not described"
     missing = [name for name in named if not (ROOT / name).exists()]
     assert not missing, "the page describes what is not there"
+
+
+MOST_DEFERRED_IMPORTS = 100
+
+
+def deferred_imports(path: Path) -> list[tuple[int, bool]]:
+    """Line of each import in a function, and whether a comment ``# deferred: why`` is on a line of
+    its block of imports or on the line above."""
+    lines = path.read_text("utf-8").splitlines()
+    found: dict[int, bool] = {}
+    for function in ast.walk(ast.parse("\n".join(lines))):
+        if not isinstance(function, ast.FunctionDef | ast.AsyncFunctionDef):
+            continue
+        last, marked = 0, False
+        for node in ast.walk(function):
+            if not isinstance(node, ast.Import | ast.ImportFrom):
+                continue
+            if node.lineno != last + 1:
+                marked = "# deferred: " in lines[node.lineno - 2]
+            last = node.end_lineno or node.lineno
+            marked = marked or "# deferred: " in "\n".join(lines[node.lineno - 1 : last])
+            found[node.lineno] = marked
+    return list(found.items())
+
+
+def test_imports_in_functions_are_few_and_have_a_reason() -> None:
+    """Descriptors name their functions by `tracker.base.registry.deferred` instead."""
+    count = 0
+    for path in (p for folder in ("app", "extensions", "glovetrack", "tracker")
+                 for p in (ROOT / folder).rglob("*.py") if "tests" not in p.parts):  # fmt: skip
+        for line, marked in deferred_imports(path):
+            assert marked, f"{path.relative_to(ROOT)}:{line}: write '# deferred: why'"
+            count += 1
+    assert count <= MOST_DEFERRED_IMPORTS

@@ -71,9 +71,10 @@ def demo_spec(seed: int = SEED, choice: DemoChoice | None = None) -> DemoSpec:
 
     Raises ConfigError for errors of the camera that do not exist.
     """
+    # deferred: the simulator
     from tracker.simulation.camera_errors import errors_named
-    from tracker.simulation.demo import TABLE, DemoSpec, HandTexts  # deferred: the simulator
-    from tracker.simulation.two_hands import hand_seed  # deferred, too
+    from tracker.simulation.demo import TABLE, DemoSpec, HandTexts
+    from tracker.simulation.two_hands import hand_seed
 
     choice = choice or DemoChoice()
     sides = ("right", "left") if choice.hands == "both" else (choice.hands,)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Iterator
 from multiprocessing.connection import Connection
 from multiprocessing.process import BaseProcess
 
@@ -9,6 +11,9 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QOffscreenSurface, QOpenGLContext
 
 from tracker.base.child import start_child
+from tracker.base.notices import notice, warning
+from tracker.doctor.finding import Finding
+from tracker.doctor.machine import Machine
 
 SOFTWARE = (
     "llvmpipe",
@@ -111,3 +116,20 @@ class GraphicsQuery(QObject):
         if self._pipe is not None:
             self._pipe.close()
             self._pipe = None
+
+
+def opengl_check(machine: Machine) -> Iterator[Finding]:
+    """Reports the renderer of the 3D view to ``glovetrack doctor``."""
+    has_screen = not machine.is_linux or any(
+        os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY")
+    )
+    if not has_screen or os.environ.get("QT_QPA_PLATFORM", "") in WITHOUT_SCREEN:
+        return
+    renderer = renderer_in_subprocess()
+    if is_card(renderer):
+        yield Finding(notice("doctor.opengl", renderer=renderer))
+        return
+    what = warning("doctor.opengl_slow", renderer=renderer)
+    if not renderer:
+        what = warning("doctor.no_opengl")
+    yield Finding(what, notice("doctor.opengl_driver"))

@@ -16,6 +16,10 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
+from websockets.exceptions import WebSocketException
+from websockets.sync.client import connect
+from websockets.typing import Subprotocol
+
 LOOPBACK = "127.0.0.1"
 AGAIN = 0.2  # s between attempts to connect
 DATAGRAMS = ("udp", "vmc", "vmt", "hts", "mediapipe", "poses")
@@ -66,9 +70,6 @@ def _read_datagrams(port: int, count: Count) -> None:
 @contextlib.contextmanager
 def _connected(port: int, protocols: Sequence[str] = ()) -> Iterator[Any]:
     """A WebSocket; its errors are OSError."""
-    from websockets.exceptions import WebSocketException
-    from websockets.sync.client import connect
-    from websockets.typing import Subprotocol
 
     spoken = [Subprotocol(name) for name in protocols] or None
     try:
@@ -97,7 +98,7 @@ def _read_foxglove(port: int, count: Count) -> None:
 
 
 def _read_lsl(_port: int, count: Count) -> None:
-    import pylsl
+    import pylsl  # deferred: fails without its library
 
     found = pylsl.resolve_byprop("name", "Glovetrack right", 1, 1.0)
     inlet = pylsl.StreamInlet(found[0], recover=False)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import os
 import signal
 import sys
@@ -30,6 +31,7 @@ from app.window.report_files import check_report
 from app.window.window_options import WindowOptions
 from resources import folder
 from tracker import __version__
+from tracker.base.arguments import options_of
 from tracker.base.command import UsageError
 from tracker.base.errors import ConfigError, GlovetrackError
 from tracker.base.notices import notice
@@ -50,6 +52,23 @@ SingleShot = Qt.ConnectionType.SingleShotConnection
 
 ENDS = ("SIGINT", "SIGTERM", "SIGHUP")
 """Signals of Ctrl+C, of a logout or a shutdown, and of a terminal that is closed."""
+
+
+def open_from_arguments(args: argparse.Namespace) -> int:
+    """The command ``window``: returns the exit status."""
+    return open_window(options_of(WindowOptions, args))
+
+
+def open_demo(args: argparse.Namespace) -> int:
+    """The command ``demo``: the window with simulated devices."""
+    args.demo = True
+    return open_from_arguments(args)
+
+
+def open_devices(args: argparse.Namespace) -> int:
+    """The command ``devices``: the window with the connected ones."""
+    args.devices = True
+    return open_from_arguments(args)
 
 
 def open_window(options: WindowOptions, then: Then | None = None) -> int:

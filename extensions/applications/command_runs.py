@@ -62,7 +62,7 @@ def _page(args: argparse.Namespace, stack: ExitStack) -> Callable[[str, Outcome]
     if args.page is None:
         return lambda title, outcome: None
     try:
-        from extensions.applications.page import PacedPage
+        from extensions.applications.page import PacedPage  # deferred: needs an extra
     except ImportError as error:
         raise ConfigError(notice("option.packages", option="--page", extra="streams")) from error
     page = PacedPage(args.page, paced=not args.live)

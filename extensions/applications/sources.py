@@ -118,7 +118,7 @@ def _need_some(timeout: float, where: str, error: Exception) -> None:
 
 def _websocket(address: str) -> Iterator[str | bytes]:
     try:
-        from websockets.exceptions import ConnectionClosed
+        from websockets.exceptions import ConnectionClosed  # deferred: an extra
         from websockets.sync.client import connect
     except ImportError as error:
         raise ConfigError(notice("option.packages", option="ws://", extra="streams")) from error

@@ -8,16 +8,17 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 
+from extensions.conformance.extension import IsaacOptions
 from extensions.conformance.isaac.record import HandRecord, Stamps, joints_of
 from extensions.conformance.isaac.writer import IsaacWriter
 from tracker.base.notices import Notice, notice, warning
 from tracker.messages import Estimate
 from tracker.streaming.payload import openxr_of
-from tracker.streaming.publisher import Names, OtherHand, StreamError
+from tracker.streaming.publisher import Names, OtherHand, Publisher, StreamError
 
 
 class IsaacPublisher:
@@ -80,3 +81,13 @@ class IsaacPublisher:
             if not self._file.closed:
                 self._writer.finish()
                 self._file.close()
+
+
+def open_stream(options: IsaacOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
+    """Yields the publisher of each hand."""
+    if not options.file:
+        raise StreamError(notice("isaac.no_file"))
+    first, *others = (names.with_openxr() for names in hands)
+    record = IsaacPublisher(first, Path(options.file), tips=options.tips)
+    yield record
+    yield from map(record.beside, others)

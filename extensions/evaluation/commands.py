@@ -10,6 +10,8 @@ from extensions.evaluation.trials import add_trials
 from extensions.evaluation.vist.options import VistOptions
 from tracker.base.arguments import add_options
 from tracker.base.command import Command
+from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.base.registry import deferred
 from tracker.base.terminal import add_json
 
@@ -160,10 +162,21 @@ def add_robot(parser: argparse.ArgumentParser) -> None:
     add_json(parser)
 
 
+def _evaluate_robot(args: argparse.Namespace) -> int:
+    """Raises ConfigError if the robot's folder was removed."""
+    try:
+        from extensions.evaluation.robot.command import evaluate_robot  # deferred: another part
+    except ModuleNotFoundError as error:
+        if error.name == "mujoco":
+            raise
+        raise ConfigError(notice("evaluation.no_robot")) from error
+    return evaluate_robot(args)
+
+
 ROBOT = Command(
     "evaluate robot",
     "evaluate a robot hand that follows a wearer and picks up a cube",
-    deferred("extensions.evaluation.robot.command:evaluate_robot"),
+    _evaluate_robot,
     add=add_robot,
     extra="robot",
 )

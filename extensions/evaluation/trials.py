@@ -8,6 +8,7 @@ from typing import TypeVar
 
 from tracker.base.errors import ConfigError
 from tracker.base.terminal import add_json, progress_line
+from tracker.base.workers import WorkItem, run_all, some_workers
 
 Case = TypeVar("Case")
 Figures = TypeVar("Figures")
@@ -34,8 +35,6 @@ def run_trials(
     trial: Trial[Case, Figures], cases: Sequence[Case], args: argparse.Namespace
 ) -> list[Figures]:
     """The figures of all people in each case, case by case. Raises ConfigError if one fails."""
-    from tracker.base.workers import WorkItem, run_all, some_workers
-
     seeds = range(args.seed, args.seed + args.participants)
     tasks = [WorkItem(trial, (case, seed)) for case in cases for seed in seeds]
     with some_workers(max(1, min(args.processes, len(tasks)))) as workers:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from tracker.base.registry import deferred
 from tracker.streaming.connection import LOOPBACK, option
-from tracker.streaming.publisher import Names, Publisher
 from tracker.streaming.registry import StreamKind
 
 
@@ -17,21 +16,11 @@ class FoxgloveOptions:
     origins: str = option("", "further sites whose pages may connect, separated by commas")
 
 
-def _make(options: FoxgloveOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
-    from extensions.foxglove.live import FoxglovePublisher
-
-    origins = [o.strip() for o in options.origins.split(",") if o.strip()]
-    first, *others = hands
-    server = FoxglovePublisher(first, options.host, options.port, origins=origins, others=others)
-    yield server
-    yield from map(server.beside, others)
-
-
 STREAM = StreamKind(
     name="foxglove",
     title="Foxglove",
     options=FoxgloveOptions,
-    make=_make,
+    make=deferred("extensions.foxglove.live:open_stream"),
     extra="glovetrack[streams]",
     order=40,
 )

@@ -18,13 +18,14 @@ from __future__ import annotations
 import asyncio
 import json
 import time
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from functools import partial
 
 from websockets.asyncio.server import ServerConnection
 from websockets.typing import Origin, Subprotocol
 
 from extensions.foxglove import robot
+from extensions.foxglove.extension import FoxgloveOptions
 from extensions.foxglove.protocol import (
     SUBPROTOCOLS,
     Channel,
@@ -43,7 +44,7 @@ from tracker.session.ros import motion
 from tracker.session.ros.definitions import definition
 from tracker.streaming.client_queue import ClientQueue
 from tracker.streaming.payload import to_json
-from tracker.streaming.publisher import LOOPBACK, Names, OtherHand, StreamError
+from tracker.streaming.publisher import LOOPBACK, Names, OtherHand, Publisher, StreamError
 from tracker.streaming.server_thread import LOCAL_PAGE, ServerThread
 
 MAX_SAID = 2**16  # bytes of a client's message
@@ -217,3 +218,12 @@ def _greeting(hands: Sequence[_HandChannels], session_id: str) -> tuple[str, str
     """What every client hears first."""
     channels = [channel for hand in hands for channel in hand.channels()]
     return server_info("Glovetrack", session_id), advertise(channels)
+
+
+def open_stream(options: FoxgloveOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
+    """Yields the publisher of each hand."""
+    origins = [o.strip() for o in options.origins.split(",") if o.strip()]
+    first, *others = hands
+    server = FoxglovePublisher(first, options.host, options.port, origins=origins, others=others)
+    yield server
+    yield from map(server.beside, others)

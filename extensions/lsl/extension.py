@@ -41,7 +41,7 @@ def _liblsl() -> Iterator[None]:
 
 def _outlets(options: LslOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
     with _liblsl():
-        from extensions.lsl.outlet import LslPublisher
+        from extensions.lsl.outlet import LslPublisher  # deferred: needs an extra
 
     for names in hands:
         yield LslPublisher(names, options.network, options.schema)
@@ -49,7 +49,7 @@ def _outlets(options: LslOptions, hands: Sequence[Names]) -> Iterator[Publisher]
 
 def _markers(options: MarkerOptions, answer: Answer) -> Door:
     with _liblsl():
-        from extensions.lsl.markers import MarkerDoor
+        from extensions.lsl.markers import MarkerDoor  # deferred: needs an extra
 
     return MarkerDoor(answer, network=not is_loopback(options.host))
 

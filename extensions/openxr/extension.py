@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from tracker.base.notices import notice
-from tracker.streaming.connection import StreamError, option
-from tracker.streaming.publisher import Names, Publisher
+from tracker.base.registry import deferred
+from tracker.streaming.connection import option
 from tracker.streaming.registry import StreamKind
 
 MOST_AHEAD_MS = 100
@@ -27,31 +25,10 @@ class OpenXrOptions:
     ahead_ms: int = option(50, "how far poses are predicted beyond the newest sample at most, ms")
 
 
-def _make(options: OpenXrOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
-    from extensions.openxr.layout import Space
-    from extensions.openxr.publisher import OpenXrPublisher, WorldPlacement
-
-    spaces = {space.name.lower(): space for space in Space}
-    if options.space not in spaces:
-        raise StreamError(
-            notice("option.choice", option="space", known=tuple(spaces), value=options.space)
-        )
-    if not 0 <= options.ahead_ms <= MOST_AHEAD_MS:
-        raise StreamError(notice("option.range", option="ahead_ms", low=0, high=MOST_AHEAD_MS))
-    position = options.x, options.y, options.z
-    placement = WorldPlacement(
-        spaces[options.space], position, options.yaw, options.ahead_ms / 1000
-    )
-    first, *others = (names.with_openxr() for names in hands)
-    publisher = OpenXrPublisher(first, placement)
-    yield publisher
-    yield from map(publisher.beside, others)
-
-
 STREAM = StreamKind(
     name="openxr",
     title="OpenXR applications",
     options=OpenXrOptions,
-    make=_make,
+    make=deferred("extensions.openxr.publisher:open_stream"),
     order=21,
 )

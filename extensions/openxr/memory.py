@@ -13,6 +13,9 @@ from extensions.openxr.layout import SIZE, VERSION
 from tracker.base.notices import notice
 from tracker.streaming.connection import StreamError
 
+if sys.platform != "win32":
+    import fcntl
+
 ELSEWHERE = "GLOVETRACK_OPENXR_MEMORY"
 """Environment variable with another path (on Windows: another name) of the memory."""
 FOLDER = Path("/dev/shm")
@@ -123,8 +126,6 @@ def _opened(path: Path) -> int:
 def _lock(handle: int) -> None:
     """Wait a second at most: a stream that is opened again with other options may find the one
     before still open. Raises BlockingIOError."""
-    import fcntl
-
     for k in range(LOCK_TRIES):
         try:
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)

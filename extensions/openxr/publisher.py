@@ -6,13 +6,14 @@ import os
 import sys
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from extensions.openxr.extension import MOST_AHEAD_MS, OpenXrOptions
 from extensions.openxr.joints import HandJoints, JointSeries
 from extensions.openxr.layout import (
     HEADER,
@@ -35,7 +36,7 @@ from tracker import __version__
 from tracker.base.clock import nanoseconds
 from tracker.base.notices import notice
 from tracker.messages import Estimate
-from tracker.streaming.publisher import Names, OtherHand, StreamError
+from tracker.streaming.publisher import Names, OtherHand, Publisher, StreamError
 
 STALE_NS = 250_000_000
 REPLAYED_NS = 1_000_000_000
@@ -165,3 +166,22 @@ class OpenXrPublisher:
             sequence[h, k] = n
         with self._fence:
             counts[h] = n
+
+
+def open_stream(options: OpenXrOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
+    """Yields the publisher of each hand."""
+    spaces = {space.name.lower(): space for space in Space}
+    if options.space not in spaces:
+        raise StreamError(
+            notice("option.choice", option="space", known=tuple(spaces), value=options.space)
+        )
+    if not 0 <= options.ahead_ms <= MOST_AHEAD_MS:
+        raise StreamError(notice("option.range", option="ahead_ms", low=0, high=MOST_AHEAD_MS))
+    position = options.x, options.y, options.z
+    placement = WorldPlacement(
+        spaces[options.space], position, options.yaw, options.ahead_ms / 1000
+    )
+    first, *others = (names.with_openxr() for names in hands)
+    publisher = OpenXrPublisher(first, placement)
+    yield publisher
+    yield from map(publisher.beside, others)

@@ -10,15 +10,21 @@ from __future__ import annotations
 import json
 import os
 import sys
+from contextlib import suppress
 from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
 from typing import Protocol
 
+import platformdirs
+
 from extensions.openxr.library import LAYER, LIBRARY, manifest
 from tracker.base.errors import FileError
 from tracker.base.files import write_whole
 from tracker.base.notices import notice
+
+if sys.platform == "win32":
+    import winreg
 
 MANIFEST_NAME = f"{LAYER}.json"
 REGISTRY_KEY = r"Software\Khronos\OpenXR\1\ApiLayers\Implicit"
@@ -103,8 +109,6 @@ class LayerRegistration:
 
 def user_registration(library: Path = LIBRARY) -> LayerRegistration:
     """That of the current user. Raises FileError on a system without OpenXR layers."""
-    import platformdirs  # here: the list of commands does without it
-
     folder = platformdirs.user_data_path("glovetrack", appauthor=False) / "openxr"
     if sys.platform == "win32":
         return LayerRegistration(library, folder, folder / MANIFEST_NAME, WindowsRegistry())
@@ -123,27 +127,19 @@ class WindowsRegistry:
     """The current user's part of the Windows registry."""
 
     def names(self) -> list[str]:
-        if sys.platform != "win32":
-            return []
-        import winreg
-
-        try:
-            with winreg.OpenKey(winreg.HKEY_CURRENT_USER, REGISTRY_KEY) as key:
+        if sys.platform == "win32":
+            user = winreg.HKEY_CURRENT_USER
+            with suppress(FileNotFoundError), winreg.OpenKey(user, REGISTRY_KEY) as key:
                 return [winreg.EnumValue(key, i)[0] for i in range(winreg.QueryInfoKey(key)[1])]
-        except FileNotFoundError:
-            return []
+        return []
 
     def set(self, name: str, value: int) -> None:
         if sys.platform == "win32":
-            import winreg
-
             with winreg.CreateKey(winreg.HKEY_CURRENT_USER, REGISTRY_KEY) as key:
                 winreg.SetValueEx(key, name, 0, winreg.REG_DWORD, value)
 
     def remove(self, name: str) -> None:
         if sys.platform == "win32":
-            import winreg
-
             access = winreg.KEY_SET_VALUE
             with winreg.OpenKey(winreg.HKEY_CURRENT_USER, REGISTRY_KEY, 0, access) as key:
                 winreg.DeleteValue(key, name)

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from tracker.base.registry import deferred
 from tracker.streaming.connection import LOOPBACK, option
-from tracker.streaming.publisher import Names, Publisher
 from tracker.streaming.registry import StreamKind
 
 
@@ -17,11 +16,10 @@ class VmcOptions:
     velocity: bool = option(True, "whether velocities follow each pose in a bundle of their own")
 
 
-def _vmc(options: VmcOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
-    from extensions.osc.vmc import VmcPublisher
-
-    for names in hands:
-        yield VmcPublisher(names.model, options.host, options.port, names, options.velocity)
-
-
-VMC = StreamKind(name="vmc", title="VMC (OSC, avatars)", options=VmcOptions, make=_vmc, order=20)
+VMC = StreamKind(
+    name="vmc",
+    title="VMC (OSC, avatars)",
+    options=VmcOptions,
+    make=deferred("extensions.osc.vmc:open_stream"),
+    order=20,
+)

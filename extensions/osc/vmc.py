@@ -18,7 +18,7 @@ rad/s: in Unity's world, or of OpenXR's joints in theirs.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
 
 import numpy as np
@@ -32,6 +32,7 @@ from extensions.osc.encode import (
     elements,
     message,
 )
+from extensions.osc.extension import VmcOptions
 from extensions.osc.vmc_pose import AvatarHand, unity_pose, unity_velocity
 from tracker.base.notices import Notice, notice
 from tracker.gestures.values import GESTURES
@@ -41,7 +42,7 @@ from tracker.hand.openxr import JOINTS
 from tracker.messages import Estimate, IntArray, Tracking, Validity
 from tracker.streaming.datagram import DatagramSocket
 from tracker.streaming.payload import moving_points, openxr_of
-from tracker.streaming.publisher import STATE_WORDS, Names
+from tracker.streaming.publisher import STATE_WORDS, Names, Publisher
 
 CALIBRATED, NORMAL_MODE = 3, 0
 STATE = "/Glovetrack/Bone/State"
@@ -199,3 +200,9 @@ def velocity_bundle(e: Estimate, names: Names) -> bytes:
 @lru_cache(maxsize=TEMPLATES)
 def _velocity_template(points: tuple[str, ...]) -> OscTemplate:
     return OscTemplate([(VELOCITY, [name, *[FLOAT] * 8]) for name in points])
+
+
+def open_stream(options: VmcOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
+    """Yields the publisher of each hand."""
+    for names in hands:
+        yield VmcPublisher(names.model, options.host, options.port, names, options.velocity)

@@ -6,17 +6,14 @@ import threading
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
-from multiprocessing.connection import Connection
 from typing import TYPE_CHECKING, NamedTuple
-
-import numpy as np
 
 from extensions.robot.command import RobotCommand
 from extensions.robot.settings import RobotSettings
 from tracker.base.child import start_child
 from tracker.base.clock import monotonic
-from tracker.base.errors import GlovetrackError
 from tracker.base.notices import Notice, failure
+from tracker.base.registry import deferred
 from tracker.base.urgency import run_soon
 from tracker.hand.model import HandModel
 from tracker.messages import Estimate, RobotModel, RobotState
@@ -80,7 +77,9 @@ class RobotProcess:
     ) -> None:
         self._deliver = deliver
         name = "glovetrack-robot"
-        self._pipe, self._process = start_child(name, serve, settings, hand, keypoint_names)
+        self._pipe, self._process = start_child(
+            name, deferred("extensions.robot.server:serve"), settings, hand, keypoint_names
+        )
         self._lock = threading.Lock()
         self._latest: tuple[Estimate | RobotState, float] | None = None
         self._arrival: float | None = STARTING  # of the item that awaits an answer
@@ -154,59 +153,3 @@ class RobotProcess:
             arrival, self._arrival = self._arrival, None
             self._send_latest()
         return monotonic() - arrival if arrival else 0.0
-
-
-def serve(
-    pipe: Connection, settings: RobotSettings, hand: HandModel, keypoint_names: tuple[str, ...]
-) -> None:
-    """Main function of the process: runs until it is asked to end or the pipe is closed."""
-    run_soon()
-    try:
-        server = _Server(settings, hand, keypoint_names)
-    except GlovetrackError as error:
-        pipe.send(RobotFailed(error.notice))
-        return
-    with suppress(EOFError, OSError, KeyboardInterrupt):
-        pipe.send(server.ready)
-        while True:
-            item: Item = pipe.recv()
-            if item is None:
-                return
-            answer = server.do(item)
-            if answer is not None:
-                pipe.send(answer)
-
-
-class _Server:
-    """The robot itself."""
-
-    def __init__(
-        self, settings: RobotSettings, hand: HandModel, keypoint_names: tuple[str, ...]
-    ) -> None:
-        from extensions.robot.driver import RobotDriver
-        from extensions.robot.shape import shape_of
-        from extensions.robot.teleop import Teleop
-
-        self._driver = RobotDriver(Teleop(settings), hand, keypoint_names)
-        self._world = self._driver.teleop.world
-        self.ready = RobotReady(self._driver.model, shape_of(self._world))
-
-    def do(self, item: Estimate | RobotCommand | RobotState) -> Answer | None:
-        from extensions.robot.shape import poses
-
-        if isinstance(item, RobotCommand):
-            try:
-                self._driver.ask(item)
-            except GlovetrackError as error:
-                return RobotFailed(error.notice)
-            return None
-        if isinstance(item, RobotState):
-            try:
-                self._world.show(item.joints, item.palm, item.objects)
-            except ValueError:
-                return RobotFailed(failure("robot.recorded_model"))
-            return RobotShown(item, poses(self._world))
-        outputs = self._driver.feed(item)
-        errors = self._driver.teleop.fingers.error
-        farthest = float(np.nanmax(errors)) if np.isfinite(errors).any() else float("nan")
-        return RobotMoved(outputs, poses(self._world), farthest)

@@ -90,7 +90,7 @@ def _datagrams(port: int) -> Iterator[Latest]:
 @contextmanager
 def _websocket(url: str) -> Iterator[Latest]:
     try:
-        from websockets.exceptions import ConnectionClosed
+        from websockets.exceptions import ConnectionClosed  # deferred: an extra
         from websockets.sync.client import connect
     except ImportError as error:
         raise ConfigError(notice("option.packages", option="ws://", extra="streams")) from error

@@ -13,15 +13,17 @@ from collections.abc import Callable, Sequence
 
 from extensions.osc.decode import OscError
 from extensions.room import natnet
+from extensions.room.extension import NatNetOptions, OscPoseOptions
 from extensions.room.frames import UP_AXES, from_upright
 from extensions.room.natnet import NatNetError, Version
 from extensions.room.osc_poses import PoseReader, RoomPose
-from extensions.room.placement import Placement
+from extensions.room.placement import Placement, placement_of
 from extensions.room.taker import PoseTaker
 from tracker.base.clock import monotonic
 from tracker.base.errors import ConfigError
 from tracker.base.notices import failure, notice
 from tracker.streaming.connection import StreamError
+from tracker.streaming.remote.doors import Door
 from tracker.streaming.remote.reception import Answer, DoorCounts
 
 WAIT = 0.2  # s between checks whether the door was closed
@@ -154,3 +156,14 @@ def _join(kind: str, sock: socket.socket, group: str, host: str) -> None:
         raise StreamError(
             notice("remote.not_started", kind=kind, host=group, port=0, why=error)
         ) from error
+
+
+def open_osc(options: OscPoseOptions, answer: Answer) -> Door:
+    """Starts to receive poses."""
+    return osc_door(answer, placement_of(options), options.host, options.port)
+
+
+def open_natnet(options: NatNetOptions, answer: Answer) -> Door:
+    """Starts to receive poses."""
+    where = (options.host, options.port, options.server, options.group, options.up)
+    return natnet_door(answer, placement_of(options), *where)

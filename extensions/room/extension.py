@@ -2,17 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
 
+from tracker.base.registry import deferred
 from tracker.streaming.connection import LOOPBACK, option
-from tracker.streaming.remote.doors import Door
-from tracker.streaming.remote.reception import Answer
 from tracker.streaming.remote.registry import DoorKind
-
-if TYPE_CHECKING:
-    from extensions.room.placement import Placement
 
 UPWARDS = ("y", "z")
 ALIGNMENT = "file that glovetrack room align has written"
@@ -77,75 +71,32 @@ class VrpnOptions:
     rotation_deg: float = option(1.0, "standard deviation of rotations, degrees")
 
 
-class _Shared(Protocol):
-    """What the options of all have."""
-
-    @property
-    def right(self) -> str: ...
-    @property
-    def left(self) -> str: ...
-    @property
-    def alignment(self) -> str: ...
-    @property
-    def yaw_deg(self) -> float: ...
-    @property
-    def delay_ms(self) -> float: ...
-    @property
-    def position_mm(self) -> float: ...
-    @property
-    def rotation_deg(self) -> float: ...
-
-
-def _placement(options: _Shared) -> Placement:
-    from extensions.room.placement import Placement, PoseOptions, with_file
-
-    plain = PoseOptions(
-        names={"right": options.right, "left": options.left},
-        yaw=math.radians(options.yaw_deg),
-        delay=options.delay_ms / 1e3,
-        position_sd=max(options.position_mm, 0.01) / 1e3,
-        rotation_sd=math.radians(max(options.rotation_deg, 0.01)),
-    )
-    return Placement(with_file(plain, options.alignment))
-
-
-def _osc(options: OscPoseOptions, answer: Answer) -> Door:
-    from extensions.room.doors import osc_door
-
-    return osc_door(answer, _placement(options), options.host, options.port)
-
-
-def _natnet(options: NatNetOptions, answer: Answer) -> Door:
-    from extensions.room.doors import natnet_door
-
-    where = (options.host, options.port, options.server, options.group, options.up)
-    return natnet_door(answer, _placement(options), *where)
-
-
-def _lsl(options: LslPoseOptions, answer: Answer) -> Door:
-    from extensions.room.lsl_poses import LslPoses
-
-    return LslPoses(answer, _placement(options), options.type, options.up, options.network)
-
-
-def _vrpn(options: VrpnOptions, answer: Answer) -> Door:
-    from extensions.room.vrpn_poses import VrpnPoses
-
-    return VrpnPoses(answer, _placement(options), options.server, options.port, options.up)
-
-
 OSC = DoorKind(
-    name="room", title="Wrist pose (VMC, OSC)", options=OscPoseOptions, make=_osc, order=30
+    name="room",
+    title="Wrist pose (VMC, OSC)",
+    options=OscPoseOptions,
+    make=deferred("extensions.room.doors:open_osc"),
+    order=30,
 )
 NATNET = DoorKind(
-    name="natnet", title="Wrist pose (OptiTrack)", options=NatNetOptions, make=_natnet, order=31
+    name="natnet",
+    title="Wrist pose (OptiTrack)",
+    options=NatNetOptions,
+    make=deferred("extensions.room.doors:open_natnet"),
+    order=31,
 )
 LSL = DoorKind(
     name="lslpose",
     title="Wrist pose (LSL)",
     options=LslPoseOptions,
-    make=_lsl,
+    make=deferred("extensions.room.lsl_poses:open_lsl"),
     extra="glovetrack[streams]",
     order=32,
 )
-VRPN = DoorKind(name="vrpn", title="Wrist pose (VRPN)", options=VrpnOptions, make=_vrpn, order=33)
+VRPN = DoorKind(
+    name="vrpn",
+    title="Wrist pose (VRPN)",
+    options=VrpnOptions,
+    make=deferred("extensions.room.vrpn_poses:open_vrpn"),
+    order=33,
+)

@@ -14,13 +14,15 @@ import numpy as np
 import pylsl
 
 from extensions.lsl.outlet import LOCAL_ONLY
+from extensions.room.extension import LslPoseOptions
 from extensions.room.frames import UP_AXES, from_upright
 from extensions.room.osc_poses import NO_ROTATION, RoomPose
-from extensions.room.placement import Placement
+from extensions.room.placement import Placement, placement_of
 from extensions.room.taker import PoseTaker
 from tracker.base.clock import monotonic
 from tracker.base.errors import ConfigError
 from tracker.base.notices import failure
+from tracker.streaming.remote.doors import Door
 from tracker.streaming.remote.reception import Answer, DoorCounts
 
 LOOK_FOR = 0.5  # s
@@ -97,3 +99,8 @@ class LslPoses:
             q = values[3:] / length
         pose = RoomPose(name, *from_upright(values[:3], q, self._up))
         self.taker.take([pose], min(t, now), name)
+
+
+def open_lsl(options: LslPoseOptions, answer: Answer) -> Door:
+    """Starts to receive poses."""
+    return LslPoses(answer, placement_of(options), options.type, options.up, options.network)

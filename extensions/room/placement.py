@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Protocol
 
 import numpy as np
 
@@ -16,6 +18,25 @@ from tracker.hand.names import SIDES
 from tracker.messages import WristPose
 
 ANY = "any"
+
+
+class SharedOptions(Protocol):
+    """What the options of all doors have, in their units."""
+
+    @property
+    def right(self) -> str: ...
+    @property
+    def left(self) -> str: ...
+    @property
+    def alignment(self) -> str: ...
+    @property
+    def yaw_deg(self) -> float: ...
+    @property
+    def delay_ms(self) -> float: ...
+    @property
+    def position_mm(self) -> float: ...
+    @property
+    def rotation_deg(self) -> float: ...
 
 
 @dataclass(frozen=True)
@@ -72,3 +93,15 @@ def with_file(options: PoseOptions, path: str) -> PoseOptions:
     """The options with the alignments of a file, if a path is given. Raises FileError and
     ConfigError."""
     return replace(options, alignments=alignment_file.read(Path(path))) if path else options
+
+
+def placement_of(options: SharedOptions) -> Placement:
+    """The placement that the options of a door describe."""
+    plain = PoseOptions(
+        names={"right": options.right, "left": options.left},
+        yaw=math.radians(options.yaw_deg),
+        delay=options.delay_ms / 1e3,
+        position_sd=max(options.position_mm, 0.01) / 1e3,
+        rotation_sd=math.radians(max(options.rotation_deg, 0.01)),
+    )
+    return Placement(with_file(plain, options.alignment))

@@ -9,15 +9,17 @@ import threading
 from collections import deque
 
 from extensions.room import vrpn
+from extensions.room.extension import VrpnOptions
 from extensions.room.frames import UP_AXES, from_upright
 from extensions.room.osc_poses import RoomPose
-from extensions.room.placement import Placement
+from extensions.room.placement import Placement, placement_of
 from extensions.room.taker import PoseTaker
 from extensions.room.vrpn import VrpnError, VrpnPose, VrpnReader
 from tracker.base.clock import monotonic
 from tracker.base.errors import ConfigError
 from tracker.base.notices import failure, notice
 from tracker.streaming.connection import StreamError
+from tracker.streaming.remote.doors import Door
 from tracker.streaming.remote.reception import Answer, DoorCounts
 
 WAIT = 0.2  # s between checks whether the door was closed
@@ -125,3 +127,8 @@ def _resolved(server: str, port: int) -> tuple[str, int]:
         ) from error
     host, number = found[0][4][:2]
     return str(host), int(number)
+
+
+def open_vrpn(options: VrpnOptions, answer: Answer) -> Door:
+    """Starts to receive poses."""
+    return VrpnPoses(answer, placement_of(options), options.server, options.port, options.up)

@@ -72,8 +72,8 @@ def run_status(args: argparse.Namespace) -> None:
 
 
 def run_tables(args: argparse.Namespace) -> None:
-    with _other_extension("evaluation"):  # deferred: may be removed
-        from extensions.study import retrack, tables
+    with _other_extension("evaluation"):
+        from extensions.study import retrack, tables  # deferred: need another extension
 
     study = open_study(args.source)
     out = args.output or args.source / "tables.csv"
@@ -102,8 +102,8 @@ def run_report(args: argparse.Namespace) -> None:
 
 
 def run_export(args: argparse.Namespace) -> None:
-    with _other_extension("movement"):  # deferred: may be removed
-        from extensions.study.export import export_study
+    with _other_extension("movement"):
+        from extensions.study.export import export_study  # deferred: needs another
 
     check_json(args)
     study = open_study(args.source)

@@ -25,7 +25,7 @@ def _errors(study: Study) -> str:
     """The table of errors as recorded, as HTML; empty without references, or without the extension
     that computes it."""
     try:
-        from extensions.study import retrack, tables
+        from extensions.study import retrack, tables  # deferred: need another extension
 
         evaluated = tables.evaluate(study, retrack.chosen((retrack.RECORDED,)), processes=1)
     except (ConfigError, ModuleNotFoundError):

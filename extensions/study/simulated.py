@@ -41,6 +41,7 @@ PEOPLE = 2**31  # seeds
 def write_touch_test(path: Path, seed: int) -> None:
     """A simulated wearer takes the touch test. Raises ConfigError without that extension."""
     try:
+        # deferred: another extension
         from extensions.touch.simulated.session import write_session
         from extensions.touch.simulated.trial import SimulatedTrial
     except ModuleNotFoundError as error:

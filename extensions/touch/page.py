@@ -5,6 +5,8 @@ from __future__ import annotations
 from extensions.sheets.page import FAINT, INK, PAPERS_MM, Page
 from extensions.touch import sheet
 from extensions.touch.sheet import CROSSES, SheetCross, TouchSheet
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
 
 MM = 1000.0
 LABEL_MM = 4.0  # of a cross's number from its middle
@@ -91,3 +93,8 @@ def _strip_page(wide_mm: float, high_mm: float) -> Page:
         if cross.height > 0:
             _draw_cross(page, cross, frame_left + cross.x * MM, middle)
     return page
+
+
+def printed_pages(hand: HandModel, glove: GloveModel, paper: str) -> tuple[list[Page], str]:
+    """The pages and their title for ``glovetrack print``."""
+    return touch_pages(paper), "Sheet of the touch test"

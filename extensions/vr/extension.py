@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from extensions.vr.buttons import CONTROLS, ButtonGestures
+from extensions.vr.buttons import CONTROLS
 from extensions.vr.haptics import LEFT, RIGHT
+from tracker.base.registry import deferred
 from tracker.streaming.connection import LOOPBACK, option
-from tracker.streaming.publisher import Names, Publisher
 from tracker.streaming.registry import StreamKind
 
 
@@ -28,14 +27,10 @@ class VmtOptions:
     b: str = option("pinch_ring", "gesture for button B", CONTROLS)
 
 
-def _vmt(options: VmtOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
-    from extensions.vr.vmt import VmtDevice, VmtPublisher
-
-    index = {"right": options.right, "left": options.left}
-    gestures = ButtonGestures(options.trigger, options.grip, options.a, options.b)
-    for names in hands:
-        device = VmtDevice(index[names.side], options.controller)
-        yield VmtPublisher(names, device, gestures, options.host, options.port)
-
-
-VMT = StreamKind(name="vmt", title="SteamVR, VRChat (VMT)", options=VmtOptions, make=_vmt, order=22)
+VMT = StreamKind(
+    name="vmt",
+    title="SteamVR, VRChat (VMT)",
+    options=VmtOptions,
+    make=deferred("extensions.vr.vmt:open_stream"),
+    order=22,
+)

@@ -26,6 +26,12 @@ from tracker.streaming.connection import StreamError, option
 from tracker.streaming.publisher import Names, Publisher
 from tracker.streaming.registry import StreamKind
 
+if sys.platform != "win32":
+    import pty
+    import termios
+    import tty
+    from fcntl import ioctl
+
 RETRY_AFTER = 1.0  # s
 PACKET = struct.Struct("<20f5f2f8?f")
 MOST_UNREAD = 1000  # bytes in the terminal's buffer: some five lines
@@ -124,14 +130,8 @@ class LinePublisher:
     def __init__(self, names: Names, gestures: ButtonGestures, link: str) -> None:
         """``link``: path of a symbolic link to the port, in which ``{side}`` is replaced; "" for
         none. Raises StreamError where there are no pseudo-terminals, as on Windows."""
-        try:
-            import pty
-            import termios
-            import tty
-            from fcntl import ioctl
-        except ImportError as error:
-            raise StreamError(notice("opengloves.no_terminal")) from error
-        self._termios, self._ioctl = termios, ioctl
+        if sys.platform == "win32":
+            raise StreamError(notice("opengloves.no_terminal"))
         self._controls = control_reader(names, gestures)
         self._master, self._slave = pty.openpty()
         tty.setraw(self._slave)
@@ -157,7 +157,7 @@ class LinePublisher:
         data = line_of(self._controls.read(estimate)).encode()
         waiting = self._waiting()
         if waiting >= MOST_UNREAD:  # a program that begins to read shall not get old lines
-            self._termios.tcflush(self._slave, self._termios.TCIFLUSH)
+            termios.tcflush(self._slave, termios.TCIFLUSH)
             self._unread = True
         elif waiting == 0:
             self._unread = False
@@ -166,7 +166,7 @@ class LinePublisher:
 
     def _waiting(self) -> int:
         """Bytes that no program has read yet."""
-        count = self._ioctl(self._slave, self._termios.FIONREAD, bytes(4))
+        count = ioctl(self._slave, termios.FIONREAD, bytes(4))
         return int.from_bytes(count, sys.byteorder)
 
     def probe(self) -> Notice:

@@ -11,7 +11,7 @@ import contextlib
 import math
 import socket
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,6 +20,7 @@ from extensions.osc import decode
 from extensions.osc.decode import OscError
 from extensions.osc.encode import FLOAT, OscTemplate, Value, bundle_of, elements, message
 from extensions.vr.buttons import ButtonGestures, Controls, control_reader
+from extensions.vr.extension import VmtOptions
 from extensions.vr.skeleton import BoneSkeleton, RigidMotion, in_unity
 from tracker.base.notices import Notice, notice
 from tracker.hand.openxr import OpenXrHand
@@ -27,7 +28,7 @@ from tracker.messages import Estimate
 from tracker.streaming.connection import LOOPBACK, StreamError
 from tracker.streaming.datagram import DatagramSocket
 from tracker.streaming.payload import openxr_of
-from tracker.streaming.publisher import Names
+from tracker.streaming.publisher import Names, Publisher
 
 DRIVER_PORT, ANSWER_PORT = 39570, 39571
 MOST_DEVICE = 57
@@ -141,3 +142,12 @@ def driver_version(port: int = ANSWER_PORT, patience: float = ALIVE_WAIT) -> str
         except OSError:
             return None
     return None
+
+
+def open_stream(options: VmtOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
+    """Yields the publisher of each hand."""
+    index = {"right": options.right, "left": options.left}
+    gestures = ButtonGestures(options.trigger, options.grip, options.a, options.b)
+    for names in hands:
+        device = VmtDevice(index[names.side], options.controller)
+        yield VmtPublisher(names, device, gestures, options.host, options.port)

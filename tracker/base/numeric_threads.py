@@ -13,6 +13,7 @@ import sys
 import threading
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
+from typing import Any
 
 VARIABLES = (
     "OPENBLAS_NUM_THREADS",
@@ -28,12 +29,11 @@ def limit_this_process() -> None:
     for name in VARIABLES:
         os.environ.setdefault(name, "1")
     if "numpy" in sys.modules:  # its library has read them before
-        from threadpoolctl import threadpool_limits
+        from threadpoolctl import threadpool_limits  # deferred: not every process computes
 
         threadpool_limits(1, "blas")
-    if "cv2" in sys.modules:
-        import cv2
-
+    cv2: Any = sys.modules.get("cv2")
+    if cv2 is not None:
         cv2.setNumThreads(1)
 
 
@@ -61,7 +61,7 @@ def one_numeric_thread() -> Iterator[None]:
 
 
 def _limit_until(end: ExitStack) -> None:
-    import cv2
+    import cv2  # deferred: not every process computes
     from threadpoolctl import threadpool_limits
 
     end.enter_context(threadpool_limits(1, "blas"))

@@ -21,6 +21,9 @@ import sys
 import time
 from pathlib import Path
 
+if sys.platform != "win32":
+    import resource
+
 SLICE_NS = 100_000
 FIRST = -5
 """Nice level of a process that goes before others; with a lower one, the window of a loaded
@@ -101,8 +104,6 @@ def may_run_first() -> bool:
     """Whether the system would give this user's programs a real-time priority."""
     if not hasattr(os, "SCHED_RR"):
         return False
-    import resource  # does not exist on Windows
-
     soft, _ = resource.getrlimit(resource.RLIMIT_RTPRIO)
     return os.geteuid() == 0 or soft == resource.RLIM_INFINITY or soft >= REAL_TIME
 

@@ -112,7 +112,7 @@ def dask_workers(address: str) -> Iterator[Workers]:
     Raises ConfigError without the extra ``cluster``, DeviceError where no scheduler answers.
     """
     try:
-        import distributed
+        import distributed  # deferred: an extra
     except ImportError as error:
         raise ConfigError(notice("workers.no_dask")) from error
     try:

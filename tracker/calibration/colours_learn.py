@@ -124,7 +124,7 @@ def _classes(
 
 def _density(parts: Sequence[Image]) -> Array:
     """(CHROMA_BINS, CHROMA_BINS, VALUE_BINS) share of the pixels, smoothed."""
-    from scipy.ndimage import gaussian_filter  # imported here, since it is slow to load
+    from scipy.ndimage import gaussian_filter  # deferred: slow to load
 
     counts = np.zeros(CHROMA_BINS * CHROMA_BINS * VALUE_BINS)
     total = 0

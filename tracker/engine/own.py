@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from tracker.base.registry import deferred
 from tracker.engine.kinds import Capabilities, EngineKind
 from tracker.engine.settings import Settings
@@ -13,33 +15,28 @@ from tracker.vision.rig import StereoRig
 
 
 def _chain(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Settings) -> Engine:
-    from tracker.fusion.chain.engine import ChainEngine
+    from tracker.fusion.chain.engine import ChainEngine  # deferred: the module of an engine
 
     return ChainEngine(hand, glove, rig, with_measured_noise(settings.chain, glove))
 
 
 def _vist(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Settings) -> Engine:
-    from tracker.fusion.vist.engine import VistEngine
+    from tracker.fusion.vist.engine import VistEngine  # deferred: the module of an engine
 
     return VistEngine(hand, glove, rig, settings.vist)
 
 
-def _switching(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Settings) -> Engine:
-    from tracker.fusion.hybrid import HybridEngine
+def _hybrid(
+    fingers: str, hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Settings
+) -> Engine:
+    from tracker.fusion.hybrid import HybridEngine  # deferred: the module of an engine
 
     chain, hybrid = with_measured_noise(settings.chain, glove), settings.hybrid
-    return HybridEngine(hand, glove, rig, chain, hybrid, "switching_offset")
-
-
-def _madgwick(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Settings) -> Engine:
-    from tracker.fusion.hybrid import HybridEngine
-
-    chain, hybrid = with_measured_noise(settings.chain, glove), settings.hybrid
-    return HybridEngine(hand, glove, rig, chain, hybrid, "madgwick_adaptive")
+    return HybridEngine(hand, glove, rig, chain, hybrid, fingers)
 
 
 def _inertial(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Settings) -> Engine:
-    from tracker.fusion.chain.inertial import InertialEngine
+    from tracker.fusion.chain.inertial import InertialEngine  # deferred: the module of an engine
 
     return InertialEngine(hand, glove, with_measured_noise(settings.chain, glove))
 
@@ -67,7 +64,7 @@ VIST = EngineKind(
 SWITCHING = EngineKind(
     "switching",
     "switching (fingers by their IMUs alone)",
-    _switching,
+    partial(_hybrid, "switching_offset"),
     deferred("tracker.fusion.hybrid:HybridSavedState").load,
     Settings,
     short="Switching",
@@ -76,7 +73,7 @@ SWITCHING = EngineKind(
 MADGWICK = EngineKind(
     "madgwick",
     "Madgwick (fingers by their IMUs alone)",
-    _madgwick,
+    partial(_hybrid, "madgwick_adaptive"),
     deferred("tracker.fusion.hybrid:HybridSavedState").load,
     Settings,
     short="Madgwick",

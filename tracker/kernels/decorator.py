@@ -61,7 +61,7 @@ def compiler() -> str:
     """numba's version: the one that compiled the library, else the one that compiles now."""
     made = parts.compiler()
     if made is None:
-        from numba import __version__
+        from numba import __version__  # deferred: not installed everywhere
 
         made = f"numba {__version__}"
     return made
@@ -72,10 +72,10 @@ def _make(function: Callable[..., Any], options: dict[str, Any]) -> Any:
     if library is not None:
         return library.kernel(function, options)
     if mode == "build":
-        from tracker.kernels.target import declare
+        from tracker.kernels.target import declare  # deferred: loads numba
 
         return declare(function, options)
-    from tracker.kernels.jit import compiled
+    from tracker.kernels.jit import compiled  # deferred: loads numba
 
     return compiled(function, options)
 

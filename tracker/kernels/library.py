@@ -100,7 +100,7 @@ class Library:
     def _by_numba(self, kernel: Any) -> Any:
         if "jit" not in kernel.__dict__:
             try:
-                from tracker.kernels.jit import compiled
+                from tracker.kernels.jit import compiled  # deferred: loads numba
             except ImportError:
                 _log.warning("%s runs uncompiled, so slowly", kernel.__qualname__)
                 kernel.jit = kernel.py_func

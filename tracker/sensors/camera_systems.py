@@ -94,7 +94,7 @@ def list_cameras(
 
 
 def _enumerate(backend: int) -> Iterable[Listed]:
-    """Imported on demand: on macOS the package does not load without AVFoundation's bindings."""
+    # deferred: on macOS the package does not load without AVFoundation's bindings
     from cv2_enumerate_cameras import enumerate_cameras
 
     cameras: Iterable[Listed] = enumerate_cameras(backend)

@@ -8,9 +8,13 @@ from __future__ import annotations
 
 import os
 import struct
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
+
+if sys.platform != "win32":
+    from fcntl import ioctl
 
 QUERY = 0xC0445624  # VIDIOC_QUERYCTRL of a struct of 68 bytes
 GET, SET = 0xC008561B, 0xC008561C  # VIDIOC_G_CTRL, VIDIOC_S_CTRL
@@ -106,8 +110,6 @@ def serial_number(path: str, system: Path = SYSTEM) -> str:
 
 def system_ioctl() -> Ioctl | None:
     """The system's own, where there is one."""
-    try:
-        from fcntl import ioctl
-    except ImportError:
+    if sys.platform == "win32":
         return None
     return lambda device, request, data: ioctl(device, request, data, True)

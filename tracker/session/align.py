@@ -130,7 +130,7 @@ def _log_speed(course: SpeedCourse) -> Array:
 def _correlations(x: Array, y: Array, overlap: float) -> Array:
     """Pearson's correlation of x (N, K) and y (M, K) where both are known, at each lag from -(M -
     1) on, pooled over the channels; NaN for an overlap below ``overlap`` s."""
-    from scipy.signal import fftconvolve  # takes 0.25 s, which would delay the window's start
+    from scipy.signal import fftconvolve  # deferred: takes 0.25 s
 
     known_x, known_y = np.isfinite(x).astype(float), np.isfinite(y).astype(float)
     x, y = (np.where(np.isfinite(v), v - _mean(v), 0.0) for v in (x, y))
@@ -238,7 +238,7 @@ def draw(
     path: Path, a: SpeedCourse, b: SpeedCourse, alignment: SessionAlignment, force: bool = False
 ) -> None:
     """Plot both speeds on the first recording's time axis, as PNG."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.backends.backend_agg import FigureCanvasAgg  # deferred: slow to load
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(9, 3.2), layout="constrained")

@@ -263,7 +263,7 @@ def _largest(values: Array) -> float:
 
 
 def _draw(path: Path, curves: Sequence[_Curves], titles: Sequence[str]) -> None:
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.backends.backend_agg import FigureCanvasAgg  # deferred: slow to load
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(9, 5 * len(curves)), layout="constrained")

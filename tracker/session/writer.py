@@ -60,7 +60,7 @@ class RecorderStatus:
 def load_describer() -> Callable[[SessionInfo], str]:
     """Imports the description of the hand, with scipy, which takes a second. A process that waits
     for a recording calls this in advance, so that the first second is not lost."""
-    from tracker.session.export.urdf import robot_description
+    from tracker.session.export.urdf import robot_description  # deferred: loads SciPy
 
     return robot_description
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import math
 import os
+import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -42,6 +43,9 @@ from tracker.sensors.protocol import (
 )
 from tracker.simulation.electric import ElectricFault
 from tracker.simulation.vibration import MotorVibration
+
+if sys.platform != "win32":
+    import fcntl
 
 GYRO_RANGE_DPS, ACCEL_RANGE_G = 2000, 16
 TICK = 0.01  # s that a wait for the host's bytes lasts at most, also while nothing is due
@@ -117,7 +121,7 @@ class SimulatedGlove:
     def _plug(self) -> None:
         """Raises DeviceError on a system without pseudo-terminals."""
         try:
-            import pty
+            import pty  # deferred: missing on Windows
             import tty
         except ImportError as error:  # missing on Windows
             raise DeviceError(notice("simulator.no_terminal")) from error
@@ -160,8 +164,6 @@ class SimulatedGlove:
         The faults busy and forbidden apply to programs that open the port from now on; the
         superuser may open a forbidden port. Raises ValueError for an unknown kind.
         """
-        import fcntl
-
         with self._lock:
             self._electric = ElectricFault(kind, time.monotonic(), self._rng)
             if self._slave < 0:

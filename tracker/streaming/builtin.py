@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from tracker.base.registry import deferred
 from tracker.streaming.connection import LOOPBACK, option
 from tracker.streaming.payload import LATEST, SCHEMAS
 from tracker.streaming.publisher import Names, Publisher
@@ -50,15 +51,6 @@ def _udp(options: UdpOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
         yield UdpPublisher(names, options.host, options.port, options.schema)
 
 
-def _websocket(options: WebSocketOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
-    from tracker.streaming.websocket import WebSocketPublisher
-
-    first, *others = hands
-    server = WebSocketPublisher(first, options.host, options.port, options.schema)
-    yield server
-    yield from map(server.beside, others)
-
-
 def _udp_door(options: UdpDoorOptions, answer: Answer) -> Door:
     return udp_door(answer, options.host, options.port)
 
@@ -72,7 +64,7 @@ WEBSOCKET = StreamKind(
     name="websocket",
     title="WebSocket (JSON)",
     options=WebSocketOptions,
-    make=_websocket,
+    make=deferred("tracker.streaming.websocket:open_stream"),
     extra=EXTRA,
     order=11,
 )

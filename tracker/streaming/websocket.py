@@ -11,6 +11,7 @@ policy, so the server must check ``Origin`` itself (RFC 6455, 10.2).
 from __future__ import annotations
 
 import asyncio
+from collections.abc import Iterator, Sequence
 from functools import partial
 from typing import NamedTuple
 from urllib.parse import parse_qs, urlsplit
@@ -20,9 +21,10 @@ from websockets.frames import CloseCode
 
 from tracker.base.notices import notice
 from tracker.messages import Estimate
+from tracker.streaming.builtin import WebSocketOptions
 from tracker.streaming.client_queue import ClientQueue
 from tracker.streaming.payload import LATEST, SCHEMAS, check_schema, text_of
-from tracker.streaming.publisher import LOOPBACK, Names, OtherHand, StreamError
+from tracker.streaming.publisher import LOOPBACK, Names, OtherHand, Publisher, StreamError
 from tracker.streaming.server_thread import LOCAL_PAGE, ServerThread
 from tracker.streaming.shared import Gestures
 
@@ -117,3 +119,11 @@ def _asked_schema(connection: ServerConnection, usual: int) -> int:
     query = parse_qs(urlsplit(connection.request.path if connection.request else "").query)
     word = query.get("schema", [str(usual)])[-1]
     return int(word) if word.isdecimal() else -1
+
+
+def open_stream(options: WebSocketOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
+    """Yields the publisher of each hand."""
+    first, *others = hands
+    server = WebSocketPublisher(first, options.host, options.port, options.schema)
+    yield server
+    yield from map(server.beside, others)

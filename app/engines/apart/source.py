@@ -43,10 +43,10 @@ class DeviceSource:
     settings: AppSettings
 
     def prepare(self) -> None:
-        from app.engines import hardware  # noqa: F401 - for `build`
-        from app.engines.warm_up import load_engine  # deferred: loads every engine
+        # deferred: loads every engine; `hardware` for `build`
+        from app.engines import hardware, warm_up  # noqa: F401
 
-        load_engine(self.settings.glove, self.settings.hand)
+        warm_up.load_engine(self.settings.glove, self.settings.hand)
 
     def build(self, progress: JobProgress) -> Built:
         from app.engines.hardware import hardware_setup  # deferred: loads every engine

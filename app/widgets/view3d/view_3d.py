@@ -183,9 +183,8 @@ class View3D(QWidget):
     def use_card(self) -> bool:
         """Use the graphics card; False, without a change, if that fails."""
         try:
-            from app.widgets.view3d.gpu_view import (
-                GpuView,  # deferred: needs the extra packages of the graphics card's view
-            )
+            # deferred: needs the extra packages of the graphics card's view
+            from app.widgets.view3d.gpu_view import GpuView
 
             view = GpuView(self.orbit)
         except Exception as error:  # noqa: BLE001  a dead driver fails in its own ways

@@ -103,9 +103,8 @@ def image_choices(
     host: EngineHost, settings: AppSettings, cameras: list[CameraName]
 ) -> list[ImageChoice]:
     """All sources, the most likely first."""
-    from tracker.simulation.board_camera import (
-        BoardCamera,  # deferred: only the demo has a simulated camera
-    )
+    # deferred: only the demo has a simulated camera
+    from tracker.simulation.board_camera import BoardCamera
 
     setup = host.setup
     rig = ideal_rig()

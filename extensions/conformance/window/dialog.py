@@ -12,10 +12,12 @@ from PySide6.QtWidgets import QPushButton, QWidget
 
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
+from app.panels.command_kind import CommandContext
 from app.platform.tasks import Job, JobProgress, TaskOwner
 from app.storage.settings import SettingsStore
 from app.viewmodels.recording import RecordingPlan
 from app.viewmodels.states import BAD, BLUISH_GREEN, GOOD, SKY
+from app.window import theme
 from app.wizards.leading.dialog import LeadingDialog
 from app.wizards.leading.outcome import OutcomePage
 from app.wizards.leading.page import LeadingPage
@@ -23,6 +25,7 @@ from app.words import error_text, tr
 from extensions.conformance.page import page
 from extensions.conformance.run import TakeVerdict, judge, read_take
 from extensions.conformance.take import labels_path, write_labels
+from extensions.conformance.window.extension import can_run
 from extensions.conformance.window.view_model import CuePhase, FindingRow, ScriptRun, finding_row
 from tracker.base.clock import monotonic
 from tracker.base.errors import GlovetrackError
@@ -252,3 +255,15 @@ def conformance_job(take: Path) -> Job:
         return Judged(verdict, out)
 
     return run
+
+
+def open_dialog(on: CommandContext) -> None:
+    """Open the dialog."""
+    setup = on.host.setup
+    if setup is None or not can_run(on):
+        return
+    scene = theme.colours(on.store.value.theme).scene
+    on.show_dialog(
+        "conformance",
+        lambda: ConformanceDialog(on.host, setup, on.store, on.tasks, scene, on.window),
+    )

@@ -90,7 +90,7 @@ def _segments(gyro: Array, accel: Array) -> Job:
 
 def _vqf(gyro: Array, accel: Array) -> Job:
     """Seven VQF filters; rows are extracted beforehand, in the peer's favour."""
-    from vqf import VQF
+    from vqf import VQF  # deferred: an extra
 
     filters = [VQF(DT) for _ in range(GLOVE)]
     rows = [(f, g.copy(), a.copy()) for f, g, a in zip(filters, gyro, accel, strict=True)]

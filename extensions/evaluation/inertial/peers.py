@@ -65,7 +65,7 @@ def _angle(up_B: Array) -> Array:
 
 def vqf_orientation(gyro: Array, accel: Array, dt: float, **settings: float) -> Array:
     """q_GB (n, 4) xyzw by VQF."""
-    from vqf import VQF
+    from vqf import VQF  # deferred: an extra
 
     filtered = VQF(dt, **settings).updateBatch(gyro, accel)
     return np.roll(filtered["quat6D"], -1, axis=1)
@@ -83,7 +83,7 @@ def imufusion_orientation(
 
     ``upright``: start at the identity instead of the first accelerations.
     """
-    import imufusion
+    import imufusion  # deferred: an extra
 
     ahrs = imufusion.Ahrs()
     ahrs.set_settings(

@@ -7,8 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from tracker.base.errors import ConfigError
-from tracker.base.notices import notice
+from extensions.evaluation.robot.score import tip_score
+from extensions.robot.hand import load_hand
+from extensions.robot.library import need_mujoco
+from extensions.robot.pick_and_place import pick_and_place
+from extensions.robot.settings import RobotSettings
+from extensions.robot.teleop import Teleop
 from tracker.base.terminal import check_json, finish, progress_line
 
 GOAL_MM = 5.0
@@ -16,17 +20,6 @@ GOAL_MM = 5.0
 
 def evaluate_robot(args: argparse.Namespace) -> int:
     """Run the trials and print the figures."""
-    try:  # deferred: the folder of the robot may be removed
-        from extensions.evaluation.robot.score import tip_score
-        from extensions.robot.hand import load_hand
-        from extensions.robot.library import need_mujoco
-        from extensions.robot.pick_and_place import pick_and_place
-        from extensions.robot.settings import RobotSettings
-        from extensions.robot.teleop import Teleop
-    except ModuleNotFoundError as error:
-        if error.name == "mujoco":
-            raise
-        raise ConfigError(notice("evaluation.no_robot")) from error
     check_json(args, [])
     need_mujoco()
     settings = RobotSettings(model=args.model, side=args.side)

@@ -25,7 +25,7 @@ def report_job(sessions: Sequence[Path]) -> Job:
 
 
 def _write(takes: Sequence[Path], progress: Callable[..., None]) -> Path:
-    from extensions.movement.report.write import write_report
+    from extensions.movement.report.write import write_report  # deferred: loads SciPy
 
     out = free_page(takes[0].parent)
     write_report(takes, out, watch=progress)

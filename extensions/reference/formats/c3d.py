@@ -21,7 +21,7 @@ def read_c3d(path: Path, pulse: str = "") -> ReferenceRecording:
 
     Times count from frame 1, as those of the file's events do. Raises FileError.
     """
-    import ezc3d  # loads a library that other commands do not need
+    import ezc3d  # deferred: loads its library
 
     _check_size(path)
     try:

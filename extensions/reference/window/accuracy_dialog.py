@@ -190,3 +190,12 @@ class AccuracyDialog(JobDialog):
         """Pause the replay at the instant of a row; another recording is opened first."""
         worst = self.worst[row]
         self.context.open_session(worst.session, worst.t)
+
+
+def open_dialog(on: CommandContext) -> None:
+    """Open the dialog for the open session, or for the selected recordings."""
+    setup = on.host.setup
+    paths = list(on.recordings)
+    if not paths and setup is not None and setup.player is not None:
+        paths = [setup.player.path]
+    on.show_dialog("reference_accuracy", lambda: AccuracyDialog(on, paths))

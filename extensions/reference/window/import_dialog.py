@@ -18,6 +18,7 @@ from app.panels.command_kind import CommandContext
 from app.widgets.measures import APART, WIDE
 from app.wizards.sizing import fit_to_screen
 from app.words import notice_text
+from extensions.reference.window.extension import is_replayed
 from extensions.reference.window.import_form import ImportForm
 from extensions.reference.window.job_dialog import JobDialog
 from extensions.reference.window.jobs import (
@@ -199,3 +200,10 @@ def _changed(path: Path) -> float:
         return path.stat().st_mtime
     except OSError:
         return 0.0
+
+
+def open_dialog(on: CommandContext) -> None:
+    """Open the dialog for the open session."""
+    setup = on.host.setup
+    if setup is not None and setup.player is not None and is_replayed(on):
+        on.show_dialog("reference_import", lambda: ImportDialog(on, setup))

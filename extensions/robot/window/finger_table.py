@@ -122,7 +122,7 @@ class FingerTable(QWidget):
             box.clear()
 
     def _show(self, found: object) -> None:
-        from extensions.robot.survey import HandSurvey
+        from extensions.robot.survey import HandSurvey  # deferred: needs an extra
 
         assert isinstance(found, HandSurvey)
         self._map = found.map
@@ -187,6 +187,6 @@ class FingerTable(QWidget):
 def _survey(settings: RobotSettings, _progress: JobProgress) -> object:
     """In a thread of its own: MuJoCo is imported there, too."""
     need_mujoco()
-    from extensions.robot.survey import survey_hand
+    from extensions.robot.survey import survey_hand  # deferred: needs an extra
 
     return survey_hand(settings)

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from app.engines.engine_host import EngineHost
 from app.jobs.remote import RemoteControl
+from app.panels.command_kind import CommandContext
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
 from app.viewmodels.streams import TEST_LOOKS, door_row
@@ -189,3 +190,10 @@ class RoomDialog(QDialog):
         self.form.apply()
         self.align.stop()
         super().done(result)
+
+
+def open_dialog(on: CommandContext) -> None:
+    """Open the dialog."""
+    on.show_dialog(
+        "room_tracker", lambda: RoomDialog(on.host, on.remote, on.store, on.tasks, on.window)
+    )

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from app.panels.command_kind import CommandContext, WindowCommand
+from app.panels.command_kind import WindowCommand
 from app.words import mark
+from tracker.base.registry import deferred
 
-
-def _run(on: CommandContext) -> None:
-    """Open the dialog."""
-    from extensions.room.window.dialog import RoomDialog
-
-    on.show_dialog(
-        "room_tracker", lambda: RoomDialog(on.host, on.remote, on.store, on.tasks, on.window)
-    )
-
-
-COMMAND = WindowCommand("room_tracker", mark("&Room tracker…"), _run, after="save_wearer")
+COMMAND = WindowCommand(
+    "room_tracker",
+    mark("&Room tracker…"),
+    deferred("extensions.room.window.dialog:open_dialog"),
+    after="save_wearer",
+)

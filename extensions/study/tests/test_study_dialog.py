@@ -18,7 +18,7 @@ from extensions.study.progress import ACCEPTED
 from extensions.study.tests.studies import SHORT, write_protocol
 from extensions.study.verdict import MeasuredRecording, TrialVerdict
 from extensions.study.window.dialog import StudyDialog
-from extensions.study.window.extension import show_study
+from extensions.study.window.start import show_study
 from tests.gui.gui_fakes import MemoryRecorder, ScriptedEngine, scripted_setup
 from tests.notices import shows
 from tracker.base.notices import warning

@@ -26,12 +26,14 @@ from PySide6.QtWidgets import (
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.engines.protocols import SimulatedWearer
+from app.panels.command_kind import CommandContext
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore, sessions_folder
 from app.viewmodels.recording import RecordingPlan
 from app.words import error_text
 from extensions.touch.pose import SheetPose, find_sheet
 from extensions.touch.protocol import TouchCue
+from extensions.touch.window.extension import can_run
 from extensions.touch.window.job import Written, touch_job
 from extensions.touch.window.view_model import TouchPhase, TouchRun, cue_words
 from tracker.base.clock import monotonic
@@ -141,7 +143,7 @@ class TouchDialog(QDialog):
 
     def save_sheet(self, path: Path) -> None:
         """Write the sheet as PDF; a message reports where, or why this failed."""
-        from extensions.sheets.page import save_pages  # matplotlib
+        from extensions.sheets.page import save_pages  # deferred: loads Matplotlib
         from extensions.touch.page import touch_pages
 
         try:
@@ -192,7 +194,7 @@ class TouchDialog(QDialog):
         """Let a simulated wearer uncover the sheet."""
         wearer = self._wearer()
         if wearer is not None:
-            from extensions.touch.simulated.live import Follower  # the simulator
+            from extensions.touch.simulated.live import Follower  # deferred: the simulator
 
             self._follower = Follower()
             wearer.follow(self._follower.away, "away")
@@ -288,3 +290,11 @@ class TouchDialog(QDialog):
         if wearer is not None:
             wearer.show("")
         super().done(result)
+
+
+def open_dialog(on: CommandContext) -> None:
+    """Open the dialog."""
+    setup = on.host.setup
+    if setup is None or not can_run(on):
+        return
+    on.show_dialog("touch_test", lambda: TouchDialog(on.host, setup, on.store, on.tasks, on.window))

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from scipy.io import loadmat, whosmat
 
 from tracker.base.errors import FileError
 from tracker.base.files import check_regular
@@ -48,8 +49,6 @@ def read_matlab(path: Path, imu: str) -> ImportedSamples:
 
 
 def _loaded(path: Path) -> dict[str, Any]:
-    from scipy.io import loadmat, whosmat
-
     try:
         check_regular(path)
         if _unpacked_bytes(path) > _MOST_BYTES:

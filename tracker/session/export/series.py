@@ -222,7 +222,7 @@ def series_of(info: SessionInfo, found: Sequence[Estimate]) -> EstimateSeries:
 
 def _quaternions(R: Array) -> Array:
     """(..., 4) xyzw of (..., 3, 3); NaN where lost."""
-    from scipy.spatial.transform import Rotation  # the window starts without it
+    from scipy.spatial.transform import Rotation  # deferred: slow to load
 
     q = np.full((*R.shape[:-2], 4), np.nan)
     known = np.isfinite(R).all(axis=(-1, -2))

@@ -112,8 +112,7 @@ def arrow() -> tuple[ModuleType, ModuleType]:
     """Imports Arrow, which takes 165 MB and is needed for Parquet only. Raises ConfigError if it is
     missing."""
     try:
-        import pyarrow
-        import pyarrow.parquet
+        import pyarrow.parquet  # deferred: an extra
     except ImportError as error:
         raise ConfigError(notice("export.needs_arrow")) from error
     return pyarrow, pyarrow.parquet

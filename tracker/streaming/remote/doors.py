@@ -122,6 +122,7 @@ class WebSocketDoor:
     """Serves ws://host:port/; a message is a request, each is answered in turn."""
 
     def __init__(self, answer: Answer, host: str, port: int) -> None:
+        # deferred: needs an extra
         from tracker.streaming.server_thread import LOCAL_PAGE, ServerThread
 
         self._reception = Reception(answer)
