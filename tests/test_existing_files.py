@@ -248,8 +248,9 @@ def test_every_option_that_writes_is_tried(tmp_path: Path) -> None:
 
 
 REPEATED = (
-    "tracker.base.workers.run_all",
-    "extensions.evaluation.gestures.score.score",
+    "extensions.evaluation.trials.run_all",
+    "extensions.evaluation.hands.command.run_all",
+    "extensions.evaluation.gestures.command.score",
     "extensions.evaluation.inertial.report.run",
 )
 """Work of evaluations: the run with --force has the results of the one before."""

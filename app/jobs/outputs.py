@@ -138,6 +138,32 @@ class Feed:
             end()
 
 
+class ProcessOfStreams:
+    """The process that sends streams, started when the first one is opened, and its feed.
+
+    Called in threads of jobs.
+    """
+
+    def __init__(self) -> None:
+        self._process: StreamsProcess | None = None
+        self._feed: tuple[EngineSetup, Feed] | None = None
+        self._starting = threading.Lock()
+
+    def for_engine(self, setup: EngineSetup) -> tuple[StreamsProcess, Feed]:
+        """The process, and what feeds it with this engine's hands."""
+        with self._starting:
+            if self._process is None or self._process.ended:
+                self._process, self._feed = StreamsProcess(), None
+            if self._feed is None or self._feed[0].engine is not setup.engine:
+                self._feed = setup, Feed(setup, self._process)
+            return self._process, self._feed[1]
+
+    def close(self) -> None:
+        if self._process is not None:
+            self._process.close()
+            self._process = None
+
+
 class Outputs(Connections[StreamKind[Any], StreamSettings]):
     """Follows the session: streams that are switched on are open while an engine runs."""
 
@@ -156,9 +182,7 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
         self.rule = remembered(HapticRule, store.value.haptics)
         self.apart = False
         """Whether streams are sent by a process of their own, which takes a second to start."""
-        self._process: StreamsProcess | None = None
-        self._feed: tuple[EngineSetup, Feed] | None = None
-        self._starting = threading.Lock()
+        self._process = ProcessOfStreams()
         self._openings: Openings[HandsOutput | ApartOutput] = Openings(tasks, self.changed.emit)
         self.problems = self._openings.problems
         self.wanted.connect(self._apply)
@@ -281,18 +305,8 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
         kind, options, hands = self._wanted_stream(name, setup)
         if not self.apart:
             return HandsOutput(setup, open_stream(kind, options, hands))
-        process, feed = self._process_for(setup)
+        process, feed = self._process.for_engine(setup)
         return ApartOutput(process.open(kind.name, options, hands), feed)
-
-    def _process_for(self, setup: EngineSetup) -> tuple[StreamsProcess, Feed]:
-        """The process, which is started if necessary, and what feeds it with this engine's hands.
-        Called in threads of jobs."""
-        with self._starting:
-            if self._process is None or self._process.ended:
-                self._process, self._feed = StreamsProcess(), None
-            if self._feed is None or self._feed[0].engine is not setup.engine:
-                self._feed = setup, Feed(setup, self._process)
-            return self._process, self._feed[1]
 
     def _wanted_stream(
         self, name: str, setup: EngineSetup
@@ -324,9 +338,7 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
     def shut_down(self) -> None:
         """After the last job: close all streams."""
         self._openings.shut_down()
-        if self._process is not None:
-            self._process.close()
-            self._process = None
+        self._process.close()
 
 
 def _haptic(setup: EngineSetup, sphere: Sphere) -> Publisher:

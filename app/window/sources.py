@@ -90,6 +90,36 @@ class Opening:
     keep: bool = False
 
 
+class SecondProcess(QObject):
+    """A process that is loaded in advance, in case the one that tracks ends unexpectedly."""
+
+    def __init__(self, host: EngineHost, parent: QObject) -> None:
+        super().__init__(parent)
+        self._host = host
+        self.reserve = Reserve()
+        self.source: Source | None = None
+        """What it would open."""
+        self._settled = QTimer(self, singleShot=True, interval=RESERVE_AFTER)
+        self._settled.timeout.connect(self._fill)
+
+    def load_later(self) -> None:
+        """Load it after `RESERVE_AFTER`, when nothing is recorded."""
+        self._settled.start()
+
+    def _fill(self) -> None:
+        setup = self._host.setup
+        if setup is None or setup.live is None or self.source is None:
+            return
+        if self._host.recording.request is not None:
+            self._settled.start()
+            return
+        self.reserve.fill(self.source)
+
+    def close(self) -> None:
+        self._settled.stop()
+        self.reserve.close()
+
+
 class Sources(QObject):
     """Opens sources that the user selects; ``messages`` is replaced by that of the next source.
 
@@ -112,10 +142,7 @@ class Sources(QObject):
         self._live: Callable[[], None] | None = None
         self.plugged = PlugWatch(host, store, self)
         self.plugged.came.connect(self._came)
-        self.reserve = Reserve()
-        self._reserve_for: Source | None = None
-        self._settled = QTimer(self, singleShot=True, interval=RESERVE_AFTER)
-        self._settled.timeout.connect(self._fill_reserve)
+        self.second = SecondProcess(host, self)
         host.opened.connect(self._choose_engine)
         host.closed.connect(self.plugged.rest)
 
@@ -149,18 +176,8 @@ class Sources(QObject):
 
     def _apart(self, source: Source, process: EngineProcess | None = None) -> SetupFactory:
         """A job that opens ``source`` in a process of its own."""
-        self._reserve_for = source
-        return apart_factory(source, process, self.reserve.open)
-
-    def _fill_reserve(self) -> None:
-        """Load a second process, for a crash of the first, when nothing is recorded."""
-        setup, source = self._host.setup, self._reserve_for
-        if setup is None or setup.live is None or source is None:
-            return
-        if self._host.recording.request is not None:
-            self._settled.start()
-            return
-        self.reserve.fill(source)
+        self.second.source = source
+        return apart_factory(source, process, self.second.reserve.open)
 
     def _devices_begun(self) -> None:
         self.looking_for_devices = True
@@ -217,7 +234,7 @@ class Sources(QObject):
         """Track with the engine used last; incomplete devices have one that works with them."""
         self.looking_for_devices = False
         if self.apart and setup.live is not None:
-            self._settled.start()
+            self.second.load_later()
         if setup.missing:
             self.plugged.begin()
         else:
@@ -283,8 +300,7 @@ class Sources(QObject):
     def shut_down(self) -> None:
         """Stop looking for devices, and end the waiting process."""
         self.plugged.shut_down()
-        self._settled.stop()
-        self.reserve.close()
+        self.second.close()
 
 
 class Drops(QObject):

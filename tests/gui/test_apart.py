@@ -99,8 +99,8 @@ def test_a_recording_is_complete_although_the_process_crashes(
     found = compare(tmp_path / "a.mcap", tmp_path / "again.mcap")
     assert found["identical"], found
 
-    engine, reserve = host.setup.engine, demo.sources.reserve
-    demo.sources._settled.timeout.emit()
+    engine, reserve = host.setup.engine, demo.sources.second.reserve
+    demo.sources.second._settled.timeout.emit()
     waiting = reserve._started.process.pid
     assert host.recording.begin(RecordingRequest(tmp_path / "b.mcap", "", ""))
     qtbot.waitUntil(lambda: host.recording.written > 50, timeout=LONG)

@@ -258,12 +258,12 @@ def test_timestamps_determine_the_order_of_feeding(sim):
 
 def test_an_unknown_reference_leaves_the_running_one(sim):
     loop, clock = loop_on(sim)
-    loop.set_reference("madgwick")
+    loop.reference.use("madgwick")
     with pytest.raises(ConfigError):
-        loop.set_reference("none such")
+        loop.reference.use("none such")
     feed(loop, clock, messages_of(sim)[:1])
-    loop.set_reference(None, wait=True)
-    assert loop.reference_estimate("right") is None
+    loop.reference.use(None, wait=True)
+    assert loop.reference.estimate("right") is None
 
 
 def test_the_queue_is_limited_for_images_and_not_for_packets(sim):

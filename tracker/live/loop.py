@@ -31,13 +31,12 @@ from tracker.live.inbox import (
 from tracker.live.journal import Journal
 from tracker.live.load import LoadWatch
 from tracker.live.recording import Recorder, RecordingThread
-from tracker.live.reference import ReferenceEngine
+from tracker.live.reference import ReferenceSlot
 from tracker.live.right_of_way import RightOfWay
 from tracker.live.telemetry import Telemetry, counted_since
 from tracker.messages import (
     BlobFrame,
     EngineState,
-    Estimate,
     Event,
     ImuSample,
     Status,
@@ -135,7 +134,7 @@ class LiveLoop:
         self.load = LoadWatch()
         self.colours = ColourWatch(sum(len(p.glove.markers) for p in pipelines.values()))
         self._order = order or ArrivalOrder()
-        self._reference: ReferenceEngine | None = None
+        self.reference = ReferenceSlot(lambda name: self.hands.with_engine(name))
         self._pipeline_lock = threading.RLock()
         self._finishing: list[RecordingThread] = []
         self._next_report = 0.0
@@ -189,7 +188,7 @@ class LiveLoop:
                 self._rename_hues(names, side)
         if self._exchange is not None:
             self._exchange.packet(side, sample, estimate.tracking)
-        self._feed_reference(Sided(sample, side))
+        self.reference.put(Sided(sample, side))
         now = self.clock()
         hand.telemetry.took("imu", now - sample.t_arrival)
         self.load.packet(now, now - sample.t)
@@ -201,7 +200,7 @@ class LiveLoop:
             pose = self._order.wrist(pose)
             self.journal.record(pose, pose.side)
             self.hands.feed_wrist(pose)
-        self._feed_reference(pose)
+        self.reference.put(pose)
 
     def _feed_frame(self, found: DetectedFrame) -> None:
         with self._pipeline_lock:
@@ -209,7 +208,7 @@ class LiveLoop:
             for hand in self.seen.values():
                 hand.frames.wait_for(DetectedFrame(found.frame, blobs))
             self.journal.record(blobs)
-            self._feed_reference(blobs)
+            self.reference.put(blobs)
             if self._exchange is not None:
                 self._exchange.frame(blobs)
             self._feed_parts(blobs)
@@ -238,11 +237,6 @@ class LiveLoop:
             if packet is None:
                 return
             self._feed(packet)
-
-    def _feed_reference(self, message: Sided | BlobFrame | WristPose) -> None:
-        reference = self._reference
-        if reference is not None:
-            reference.put(message)
 
     def _execute(self, command: EngineCommand) -> None:
         try:
@@ -337,21 +331,6 @@ class LiveLoop:
                 hand.watch_side(hands.pipelines[side])
             self.record_state()
         self.journal.report("tracking", notice("engine.changed", engine=name))
-
-    def set_reference(self, name: str | None, wait: bool = False) -> None:
-        """Feeds the same messages to a second engine, for comparison; None ends it.
-
-        ``wait``: until the previous one has ended. Raises ConfigError for an unknown name.
-        """
-        reference = ReferenceEngine(self.hands.with_engine(name)) if name else None
-        before, self._reference = self._reference, reference
-        if before is not None:
-            before.close(wait)
-
-    def reference_estimate(self, side: str) -> Estimate | None:
-        """Returns the second engine's estimate of a hand; None without a second engine."""
-        reference = self._reference
-        return reference.estimate(side) if reference is not None else None
 
     def set_recorder(self, recorder: Recorder | None, patience: float | None = None) -> None:
         """Starts recording into ``recorder``; the previous recording is finished and closed.

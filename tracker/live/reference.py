@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import threading
+from collections.abc import Callable
 
 from tracker.base.channels import Closed, Fifo
 from tracker.base.errors import GlovetrackError
@@ -70,3 +71,35 @@ class ReferenceEngine:
             self._hands.feed_frame(message)
             for side in self._hands.pipelines:
                 self._hands.take_results(side)
+
+
+class ReferenceSlot:
+    """The second engine of a loop, if it has one; ``make`` returns hands with an engine.
+
+    May be used from any thread.
+    """
+
+    def __init__(self, make: Callable[[str], Hands]) -> None:
+        self._make = make
+        self._engine: ReferenceEngine | None = None
+
+    def use(self, name: str | None, wait: bool = False) -> None:
+        """Feeds the same messages to a second engine, for comparison; None ends it.
+
+        ``wait``: until the previous one has ended. Raises ConfigError for an unknown name.
+        """
+        engine = ReferenceEngine(self._make(name)) if name else None
+        before, self._engine = self._engine, engine
+        if before is not None:
+            before.close(wait)
+
+    def put(self, message: Fed) -> None:
+        """Queues a message that was just fed to the first engine."""
+        engine = self._engine
+        if engine is not None:
+            engine.put(message)
+
+    def estimate(self, side: str) -> Estimate | None:
+        """Returns the second engine's estimate of a hand; None without a second engine."""
+        engine = self._engine
+        return engine.estimate(side) if engine is not None else None

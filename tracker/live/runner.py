@@ -173,7 +173,7 @@ class LiveTracker:
 
         Raises ConfigError for an unknown name.
         """
-        self._loop.set_reference(name, wait=self._threads.stopping)
+        self._loop.reference.use(name, wait=self._threads.stopping)
 
     def set_recorder(self, recorder: Recorder | None, patience: float | None = PATIENCE) -> None:
         """Starts recording into ``recorder``; the previous recording is finished and closed.
@@ -211,11 +211,11 @@ def _follower(profile: ColourProfile, pipeline: Pipeline) -> ColourFollower:
     return ColourFollower(profile, glove, size, rig.fx if rig is not None else 640.0)
 
 
-class HandOfTracker:
-    """One hand of a `LiveTracker`. Methods may be called from any thread."""
+class HandRequests:
+    """What may be asked of one hand: requests to its engine, and messages for its recording."""
 
-    def __init__(self, tracker: LiveTracker, loop: LiveLoop, inbox: Inbox, side: str) -> None:
-        self._tracker, self._loop, self._inbox, self.side = tracker, loop, inbox, side
+    def __init__(self, loop: LiveLoop, inbox: Inbox, side: str) -> None:
+        self._loop, self._inbox, self.side = loop, inbox, side
         self._hand = loop.seen[side]
 
     def command(
@@ -262,6 +262,14 @@ class HandOfTracker:
         """Feeds the pose of a tracker on the hand, which another system measured."""
         self._inbox.put(pose)
 
+
+class HandOfTracker(HandRequests):
+    """One hand of a `LiveTracker`. Methods may be called from any thread."""
+
+    def __init__(self, tracker: LiveTracker, loop: LiveLoop, inbox: Inbox, side: str) -> None:
+        super().__init__(loop, inbox, side)
+        self._tracker = tracker
+
     def subscribe(self, subscriber: Callable[[Estimate], None]) -> Callable[[], None]:
         """Calls ``subscriber``, which must not block, with each estimate, in order of time; returns
         a function that ends it."""
@@ -293,7 +301,7 @@ class HandOfTracker:
 
     def reference_estimate(self) -> Estimate | None:
         """Returns the second engine's estimate; None without a second engine."""
-        return self._loop.reference_estimate(self.side)
+        return self._loop.reference.estimate(self.side)
 
     def latest_frame(self, t: float | None = None) -> ShownFrame | None:
         """Returns the last image that the filter has used or searched; or that of ``t`` (s), None

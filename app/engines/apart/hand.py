@@ -33,14 +33,48 @@ if TYPE_CHECKING:  # the window does not load the engine
 T = TypeVar("T")
 
 
-class ApartHand:
+class HandCommands:
+    """Sends the commands of `CommandedHand` to a hand in another process."""
+
+    def __init__(self, process: EngineProcess, side: str) -> None:
+        self._process, self._target = process, f"hand {side}"
+
+    def command(
+        self, work: Callable[[Engine], T], answer: Callable[[T], None] | None = None
+    ) -> None:
+        self._process.ask_later(self._target, "command", work, answer=answer)
+
+    def reset_pose(self) -> None:
+        self._process.tell(self._target, "reset_pose")
+
+    def place(self, pose: WristPose) -> None:
+        self._process.tell(self._target, "place", pose)
+
+    def hold(self, pose: str) -> None:
+        self._process.tell(self._target, "hold", pose)
+
+    def let_go(self, pose: str, held: bool) -> None:
+        self._process.tell(self._target, "let_go", pose, held)
+
+    def record(self, message: Message) -> None:
+        self._process.tell(self._target, "record", message)
+
+    def set_figures(self, figures: Mapping[str, float]) -> None:
+        self._process.tell(self._target, "set_figures", figures)
+
+    def set_reference(self, name: str | None) -> None:
+        """Raises ConfigError for an unknown name."""
+        self._process.ask_or(None, self._target, "set_reference", name)
+
+
+class ApartHand(HandCommands):
     """`TrackedHand` and `CommandedHand`. Written by the thread that reads the news, read by any.
 
     ``listeners`` and what follows the hand run in the window's process.
     """
 
     def __init__(self, process: EngineProcess, side: str, listeners: Listeners) -> None:
-        self._process, self._target = process, f"hand {side}"
+        super().__init__(process, side)
         self.listeners, self.telemetry = listeners, Telemetry()
         self.right_of_way = RightOfWay()  # no engine works in this process
         self._estimate: Estimate | None = None
@@ -123,35 +157,8 @@ class ApartHand:
 
     # --- CommandedHand
 
-    def command(
-        self, work: Callable[[Engine], T], answer: Callable[[T], None] | None = None
-    ) -> None:
-        self._process.ask_later(self._target, "command", work, answer=answer)
-
-    def reset_pose(self) -> None:
-        self._process.tell(self._target, "reset_pose")
-
-    def place(self, pose: WristPose) -> None:
-        self._process.tell(self._target, "place", pose)
-
-    def hold(self, pose: str) -> None:
-        self._process.tell(self._target, "hold", pose)
-
-    def let_go(self, pose: str, held: bool) -> None:
-        self._process.tell(self._target, "let_go", pose, held)
-
     def follow(self, follower: Follower | None) -> None:
         self._follower = follower
-
-    def record(self, message: Message) -> None:
-        self._process.tell(self._target, "record", message)
-
-    def set_figures(self, figures: Mapping[str, float]) -> None:
-        self._process.tell(self._target, "set_figures", figures)
-
-    def set_reference(self, name: str | None) -> None:
-        """Raises ConfigError for an unknown name."""
-        self._process.ask_or(None, self._target, "set_reference", name)
 
     def reference_estimate(self) -> Estimate | None:
         return self._reference

@@ -15,14 +15,12 @@ import numpy as np
 from tracker.base.notices import Notice, notice, warning
 from tracker.base.records import record
 from tracker.fusion.ablations.variants import check_variant
-from tracker.fusion.chain.calibration.size import with_min_distance_sd, with_min_size_sd
 from tracker.fusion.chain.guided.holds import Hold
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.older import complete_axes
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.pose_reset import bends, is_flat
 from tracker.fusion.chain.profile import WearerProfile
-from tracker.fusion.chain.reports import with_size_uncertainty
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.tape import Tape
 from tracker.fusion.chain.tracker import ChainTracker, TrackerSavedState
@@ -82,14 +80,41 @@ class PoseAlignment:
         return notice("pose_reset.done", side=self._side, joints_deg=joints_deg)
 
 
-class ChainEngine(Engine):
+class WearerEngine(Engine):
+    """The part of an engine that learns the wearer: implements `tracker.fusion.worn.LearnsWearer`.
+
+    ``wearer`` holds the wearer's calibration and executes the user's commands on it.
+    """
+
+    def __init__(self, layout: ChainLayout, tracker: ChainTracker) -> None:
+        self._layout, self._reported = layout, tracker.reported
+        self.wearer = tracker.wearer
+
+    @property
+    def layout(self) -> ChainLayout:
+        """The rows of states and profiles."""
+        return self._layout
+
+    def calibration(self) -> Calibration:
+        """Estimated parameters with their uncertainty."""
+        return self._reported.calibration()
+
+    def profile(self) -> WearerProfile:
+        """The learned wearer profile."""
+        return self._reported.profile()
+
+    def put_on(self, profile: WearerProfile) -> None:
+        """Use a wearer profile, now and at each new start."""
+        self.wearer.put_on(profile)
+
+
+class ChainEngine(WearerEngine):
     """Visual-inertial filter on a chain of segments; an `Engine`. One instance per hand.
 
     docs/chain.md derives it; numbers such as ``eq. 12`` in its parts refer to that page. It extends
     Lee et al. 2021, doi:10.1126/scirobotics.abe1315, whose own filter is `VistEngine`.
 
-    ``tape``, if given, records all operations of the filter. ``wearer`` holds the wearer's
-    calibration and executes the user's commands on it.
+    ``tape``, if given, records all operations of the filter.
     """
 
     _tracker_type: type[ChainTracker] = ChainTracker
@@ -103,11 +128,11 @@ class ChainEngine(Engine):
         tape: Tape | None = None,
     ) -> None:
         check_variant(params.guide, params.coupling)
-        self._layout, self._prior = ChainLayout(hand, glove), params.prior
+        layout, self._prior = ChainLayout(hand, glove), params.prior
         buffer, match = ImuBuffer(len(glove.imus)), params.match
-        self._tracker = self._tracker_type(self._layout, rig, params, buffer, tape)
+        self._tracker = self._tracker_type(layout, rig, params, buffer, tape)
+        super().__init__(layout, self._tracker)
         self._timeline = Timeline(self._tracker, buffer, match.lost_after, match.max_frame_delay)
-        self.wearer = self._tracker.wearer
         self.wearer.changed = self._timeline.rebuild_head
         self._pose_reset = PoseAlignment(self._tracker, self._layout)
 
@@ -177,11 +202,6 @@ class ChainEngine(Engine):
         return self._tracker
 
     @property
-    def layout(self) -> ChainLayout:
-        """The rows of states and profiles."""
-        return self._layout
-
-    @property
     def tracking(self) -> Tracking:
         """The state of tracking."""
         return self._tracker.tracking
@@ -208,25 +228,6 @@ class ChainEngine(Engine):
         """Move the filter itself to the newest packet: no more images will arrive."""
         if self.newest is not None and self.tracking != Tracking.SEARCHING:
             self._timeline.advance(self.newest)
-
-    # ---- the wearer's calibration
-
-    def calibration(self) -> Calibration:
-        """Estimated parameters with their uncertainty. With one camera, the size and its
-        uncertainty are those assumed at the start or measured by motion."""
-        found, size_sd = self.wearer.shown(), self._tracker.size_sd
-        return found if size_sd == 0.0 else with_size_uncertainty(found, size_sd)
-
-    def profile(self) -> WearerProfile:
-        """The learned wearer profile; with one camera, the size is the one assumed at the start or
-        measured by motion."""
-        tracker = self._tracker
-        learned = with_min_size_sd(self.wearer.profile(), self.layout, tracker.size_sd)
-        return with_min_distance_sd(learned, self.layout, tracker.distance_sd)
-
-    def put_on(self, profile: WearerProfile) -> None:
-        """Use a wearer profile, now and at each new start."""
-        self.wearer.put_on(profile)
 
     # ---- saving
 

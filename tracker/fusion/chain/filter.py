@@ -14,7 +14,7 @@ import numpy as np
 from tracker.base.records import record
 from tracker.fusion.chain.constraints import Constraints
 from tracker.fusion.chain.layout import ChainLayout, V
-from tracker.fusion.chain.params import ChainParams, without_random_walks
+from tracker.fusion.chain.params import ChainParams, PriorParams, without_random_walks
 from tracker.fusion.chain.pose_reset import PASSES, flat_rows
 from tracker.fusion.chain.prior import initial_covariance, reset_pose
 from tracker.fusion.chain.propagate import Coasting, carry, propagate
@@ -47,6 +47,35 @@ class FilterSavedState:
     last_constraint: float = -np.inf
 
 
+class MovedStates:
+    """States with the hand at other poses, which a search compares with the filter's own."""
+
+    def __init__(self, layout: ChainLayout, prior: PriorParams) -> None:
+        self._layout, self._prior = layout, prior
+
+    def at_pose(self, state: ChainState, pose: Pose) -> ChainState:
+        """A copy of ``state`` with the hand at another pose, at rest, with the initial
+        uncertainty."""
+        trial = state.copy()
+        trial.R_GB, trial.p, trial.v = pose.R_GB, pose.p, np.zeros(3)
+        trial.velocity_ratio = 1.0
+        reset_pose(trial.P, self._layout, self._prior)
+        return trial
+
+    def shifted(self, state: ChainState, shift: Array, sd: float) -> ChainState:
+        """A copy of ``state`` with the hand shifted by (3,) m, with standard deviation ``sd`` m."""
+        trial = state.copy()
+        HP = trial.P[:3].copy()
+        dx = correct(trial.P, HP, HP[:, :3].copy(), shift, sd**2 * np.eye(3))
+        inject(trial, self._layout, dx)
+        return trial
+
+    def moving(self, moved: ChainState, v: Array) -> None:
+        """Sets v (3,) m/s of a state from `at_pose`, computed from two searches."""
+        moved.v = v
+        moved.P[V : V + 3, V : V + 3] = self._prior.found_velocity**2 * np.eye(3)
+
+
 class ChainFilter:
     """The filter of one hand. ``tape`` records each step and update; with a tape, intervals are
     processed one at a time."""
@@ -63,6 +92,7 @@ class ChainFilter:
         state = initial_state(layout)
         state.P = initial_covariance(layout, params.prior)
         self.saved = FilterSavedState(state)
+        self.moved = MovedStates(layout, params.prior)
 
     @property
     def state(self) -> ChainState:
@@ -125,30 +155,8 @@ class ChainFilter:
             self._tape.forgotten(self._layout.blocks.size)
         self.saved.state = state
 
-    def moved_to(self, pose: Pose) -> ChainState:
-        """A copy of the state with the hand at another pose, at rest, with the initial
-        uncertainty."""
-        trial = self.state.copy()
-        trial.R_GB, trial.p, trial.v = pose.R_GB, pose.p, np.zeros(3)
-        trial.velocity_ratio = 1.0
-        reset_pose(trial.P, self._layout, self._params.prior)
-        return trial
-
-    def shifted_by(self, shift: Array, sd: float) -> ChainState:
-        """A copy of the state with the hand shifted by (3,) m, with standard deviation ``sd`` m."""
-        trial = self.state.copy()
-        HP = trial.P[:3].copy()
-        dx = correct(trial.P, HP, HP[:, :3].copy(), shift, sd**2 * np.eye(3))
-        inject(trial, self._layout, dx)
-        return trial
-
-    def moving(self, moved: ChainState, v: Array) -> None:
-        """Sets v (3,) m/s of a state from `moved_to`, computed from two searches."""
-        moved.v = v
-        moved.P[V : V + 3, V : V + 3] = self._params.prior.found_velocity**2 * np.eye(3)
-
     def move(self, moved: ChainState) -> None:
-        """Continue from a result of `moved_to` or `shifted_by`."""
+        """Continue from a state of `moved`."""
         if self._tape is not None:
             self._tape.forgotten(self._layout.n_dynamic)
         self.saved.state = moved

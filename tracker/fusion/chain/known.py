@@ -9,7 +9,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tracker.fusion.chain.calibration.size import with_min_distance_sd, with_min_size_sd
 from tracker.fusion.chain.calibration.wearer import WearerCalibration, WearerSavedState
+from tracker.fusion.chain.confidence import HandConfidence
 from tracker.fusion.chain.distal import OWN, DistalSegments
 from tracker.fusion.chain.filter import ChainFilter
 from tracker.fusion.chain.guided.events import GuidedPoseEvent
@@ -19,6 +21,7 @@ from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.profile import WearerProfile, wear
 from tracker.fusion.chain.recognition import Recognition
+from tracker.fusion.chain.reports import with_size_uncertainty
 from tracker.fusion.chain.shown import ShownHand
 from tracker.fusion.chain.tip_bends import TipBends
 from tracker.messages import Array, Calibration
@@ -172,3 +175,29 @@ class KnownWearer:
         self.guided.saved = replace(before.guided, over=len(self.holds), samples=[])
         self.show()
         self.changed()
+
+
+class ReportedWearer:
+    """The wearer's calibration as it is reported: with one camera, its uncertainty includes that of
+    the size, which is assumed at the start or measured by motion."""
+
+    def __init__(
+        self, layout: ChainLayout, wearer: KnownWearer, confidence: HandConfidence
+    ) -> None:
+        self._layout, self._wearer, self._confidence = layout, wearer, confidence
+
+    def calibration(self) -> Calibration:
+        """Estimated parameters with their uncertainty."""
+        found, size_sd = self._wearer.shown(), self._size_sd
+        return found if size_sd == 0.0 else with_size_uncertainty(found, size_sd)
+
+    def profile(self) -> WearerProfile:
+        """The learned wearer profile."""
+        learned = with_min_size_sd(self._wearer.profile(), self._layout, self._size_sd)
+        distance_sd = self._confidence.size_sd(self._wearer.calibration.distance_sd)
+        return with_min_distance_sd(learned, self._layout, distance_sd)
+
+    @property
+    def _size_sd(self) -> float:
+        """Relative uncertainty of the hand's length for lack of a second camera; 0 with two."""
+        return self._confidence.size_sd(self._wearer.calibration.known_size_sd)

@@ -80,7 +80,7 @@ class SecondLook:
         shift = self._starter.shift(self._filter.state, image.unturned, image.pose)
         if shift is None:
             return found, seen
-        moved = self._filter.shifted_by(shift, SHIFT_SD)
+        moved = self._filter.moved.shifted(self._filter.state, shift, SHIFT_SD)
         there, fitted = self._fitted(image, moved)
         if not (fitted.is_credible and fitted.is_start):
             return found, seen
@@ -102,7 +102,7 @@ class SecondLook:
         shift = self._starter.shift(state, image.unturned, image.pose)
         if shift is None:
             return found, seen
-        fit = self._fit(image, self._filter.shifted_by(shift, SHIFT_SD))
+        fit = self._fit(image, self._filter.moved.shifted(self._filter.state, shift, SHIFT_SD))
         fitted = self._recognition.evidence(image, fit.found)
         if not fitted.is_start:
             return found, seen

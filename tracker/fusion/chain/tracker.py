@@ -12,7 +12,7 @@ from tracker.fusion.chain.confidence import ConfidenceSavedState
 from tracker.fusion.chain.distal import DistalSegments
 from tracker.fusion.chain.filter import ChainFilter, FilterSavedState, Rows
 from tracker.fusion.chain.guided.learning import GuidedSavedState
-from tracker.fusion.chain.known import KnownWearer, Shows
+from tracker.fusion.chain.known import KnownWearer, ReportedWearer, Shows
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.profile import WearerProfile
@@ -78,6 +78,7 @@ class ChainTracker:
         self._fingers = ClothFingers(layout, rig, self.shown)
         shows = Shows(self.shown, self._recognition, self._tips)
         self.wearer = KnownWearer(layout, rig, params, self.filter, distal, shows)
+        self.reported = ReportedWearer(layout, self.wearer, self.confidence)
         self._second = SecondLook(
             layout, self.filter, self._recognition, self._starter, params.match
         )
@@ -218,7 +219,7 @@ class ChainTracker:
         pose = self._starter.again(self.state, image.unturned, image.pose, count)
         if pose is None:
             return found
-        moved = self.filter.moved_to(pose)
+        moved = self.filter.moved.at_pose(self.state, pose)
         there = self._second.fitted_to(moved, image)
         if there.tally.matched <= 1.2 * count:
             return found
@@ -226,7 +227,7 @@ class ChainTracker:
             return found
         v = self._judge.found(image.frame.t, moved.p)
         if v is not None:
-            self.filter.moving(moved, v)
+            self.filter.moved.moving(moved, v)
             # rows of a rolling shutter depend on the velocity and its covariance
             there = self._second.fitted_to(moved, image)
         self.filter.move(moved)
@@ -293,16 +294,6 @@ class ChainTracker:
         if second_camera:
             release_size(self.state.P, self._layout, self._params.prior)
         return self._recognition.finish(self.state, image, found, self.tracking)
-
-    @property
-    def size_sd(self) -> float:
-        """Relative uncertainty of the hand's length for lack of a second camera; 0 with two."""
-        return self.confidence.size_sd(self.wearer.calibration.known_size_sd)
-
-    @property
-    def distance_sd(self) -> float:
-        """Relative uncertainty of the distance for the same reason."""
-        return self.confidence.size_sd(self.wearer.calibration.distance_sd)
 
     # ---- saving
 
