@@ -10,7 +10,7 @@ from pathlib import Path
 import cv2
 import pytest
 
-import tracker.doctor.machine
+import tracker.doctor.command_runs
 from tests.doctor.fake_devices import (
     HELLO,
     PORT,
@@ -276,7 +276,7 @@ def test_the_command_writes_json_and_a_report(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     slow = replace(bare(tmp_path), writing_speed=lambda folder, size: 12.0)
-    monkeypatch.setattr(tracker.doctor.machine, "Machine", lambda folder, fps: slow)
+    monkeypatch.setattr(tracker.doctor.command_runs, "Machine", lambda folder, fps: slow)
     out, report = tmp_path / "d.json", tmp_path / "report.txt"
     words = ["doctor", "--only", "disk", "system", "--json", str(out), "-o", str(report)]
     assert main(words) == 1  # a slow disk is an error

@@ -99,7 +99,7 @@ def test_a_damaged_file_is_rejected(tmp_path: Path, spoil, words: str) -> None:
 def test_the_chip_contains_the_image_afterwards(
     bootloader: Bootloader, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("tracker.firmware.versions.greeting", lambda _port: None)
+    monkeypatch.setattr("tracker.firmware.command_runs.greeting", lambda _port: None)
     assert main(["firmware", "write", bootloader.port, "--glove-id", "42"]) == 0
     image = shipped_image().for_glove(42)
     assert bootloader.flash[: len(image.data)] == image.data

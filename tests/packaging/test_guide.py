@@ -157,7 +157,7 @@ def _write_firmware(line: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """With the real avrdude and a simulated bootloader."""
     if shutil.which("avrdude") is None:
         return
-    monkeypatch.setattr("tracker.firmware.versions.greeting", lambda _port: None)
+    monkeypatch.setattr("tracker.firmware.command_runs.greeting", lambda _port: None)
     board = Bootloader()
     try:
         assert run(line.replace(PORT, board.port)) == 0
