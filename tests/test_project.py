@@ -392,3 +392,15 @@ def test_imports_in_functions_are_few_and_have_a_reason() -> None:
             assert marked, f"{path.relative_to(ROOT)}:{line}: write '# deferred: why'"
             count += 1
     assert count <= MOST_DEFERRED_IMPORTS
+
+
+MOST_METHODS = 20
+
+
+def test_no_class_has_more_methods_than_a_reader_can_follow() -> None:
+    for path in (p for folder in ("app", "extensions", "glovetrack", "tracker")
+                 for p in (ROOT / folder).rglob("*.py") if "tests" not in p.parts):  # fmt: skip
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            if isinstance(node, ast.ClassDef):
+                own = [n for n in node.body if isinstance(n, ast.FunctionDef)]
+                assert len(own) <= MOST_METHODS, f"{path.relative_to(ROOT)}: {node.name}"

@@ -164,7 +164,8 @@ class LiveLoop:
                 self._request(_guided_event(item, self._order.mark()), item.side)
         elif isinstance(item, MotorCommand):
             with self._pipeline_lock:
-                self._feed_motor(item)
+                event = replace(item.event, t=self._order.mark())
+                self._request(event, item.side, listed=False)  # a contact runs a motor at 20 Hz
         elif isinstance(item, ResetCommand):
             with self._pipeline_lock:
                 self._request(reset_event(self._order.mark()), item.side)
@@ -247,25 +248,21 @@ class LiveLoop:
             self.journal.report("error", error.notice)
         self._next_report = 0.0  # its effect is shown immediately
 
-    def _request(self, event: Event, side: str) -> None:
-        """Feeds and records a request to one hand; with two hands, the event names the hand."""
+    def _request(self, event: Event, side: str, listed: bool = True) -> None:
+        """Feeds and records a request to one hand; with two hands, the event names the hand.
+        ``listed``: also in the log."""
         if len(self.seen) > 1:
             event = replace(event, data={**event.data, "hand": side})
-        self.journal.add(event)
+        if listed:
+            self.journal.add(event)
+        else:
+            self.journal.record(event)
         self.hands.feed_event(event)
 
     def _rename_hues(self, names: tuple[str, ...], side: str) -> None:
         hues = self.hands.pipelines[side].glove.hues
         with self._pipeline_lock:
             self._request(hue_names_event(hues, names, self._order.mark()), side)
-
-    def _feed_motor(self, command: MotorCommand) -> None:
-        """Without an entry in the log: a contact runs a motor 20 times a second."""
-        event = replace(command.event, t=self._order.mark())
-        if len(self.seen) > 1:
-            event = replace(event, data={**event.data, "hand": command.side})
-        self.journal.record(event)
-        self.hands.feed_event(event)
 
     def _process_results(self) -> None:
         for side, pipeline in self.hands.pipelines.items():

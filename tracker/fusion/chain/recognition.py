@@ -157,6 +157,17 @@ class Recognised(NamedTuple):
         """Whether any marker is matched in both cameras."""
         return bool(np.all(self.match >= 0, axis=0).any())
 
+    def misfit_px(self, image: SeenImage) -> float:
+        """Median distance of the matched blobs from their predictions."""
+        left, right = image.blobs
+        return misfit(left.uv, right.uv, self.match, self.prediction.uv)
+
+    def is_unsure(self, image: SeenImage) -> bool:
+        """Whether the innovation covariance exceeds the one the gates are designed for, in the
+        camera that sees anything."""
+        S = self.prediction.S[1 if len(image.blobs[0].uv) == 0 else 0]
+        return len(S) > 0 and float(np.median(np.log(np.linalg.det(S)))) > USUAL_LN_DET
+
 
 @record("chain.recognition")
 @dataclass(eq=False)
@@ -274,17 +285,6 @@ class Recognition:
         """Whether every blob is matched."""
         return not any(np.any(owner == UNMATCHED) for owner in self._owners(image, found))
 
-    def misfit_px(self, image: SeenImage, found: Recognised) -> float:
-        """Median distance of the matched blobs from their predictions."""
-        left, right = image.blobs
-        return misfit(left.uv, right.uv, found.match, found.prediction.uv)
-
-    def is_unsure(self, image: SeenImage, found: Recognised) -> bool:
-        """Whether the innovation covariance exceeds the one the gates are designed for, in the
-        camera that sees anything."""
-        S = found.prediction.S[1 if len(image.blobs[0].uv) == 0 else 0]
-        return len(S) > 0 and float(np.median(np.log(np.linalg.det(S)))) > USUAL_LN_DET
-
     def is_likely(self, image: SeenImage, found: Recognised, seen: Evidence, is_sure: bool) -> bool:
         """Whether an image supports the hand well enough for the state MEASURED; ``is_sure``:
         whether it has that state already. With two cameras, only a share of the markers is
@@ -298,7 +298,7 @@ class Recognition:
         if not image.is_mono:
             return seen.is_likely
         explains = is_sure or seen.matched >= EXPLAINED_SHARE * image.most_blobs or seen.is_start
-        return seen.is_likely and explains and self.misfit_px(image, found) <= FOLLOWED_PX
+        return seen.is_likely and explains and found.misfit_px(image) <= FOLLOWED_PX
 
     def is_followed(self, image: SeenImage, found: Recognised) -> bool:
         """Whether two cameras' matched blobs are near their predictions, or the blobs on the hand
@@ -307,7 +307,7 @@ class Recognition:
         A wrong hand, for instance with exchanged hues, is pulled along by some of its blobs, and
         leaves the others unmatched.
         """
-        misfit_px = self.misfit_px(image, found)
+        misfit_px = found.misfit_px(image)
         return misfit_px <= STRANGE_PX or self._strangers(image, found) <= STRANGE_SHARE
 
     def _strangers(self, image: SeenImage, found: Recognised) -> float:

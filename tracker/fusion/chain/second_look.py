@@ -96,7 +96,7 @@ class SecondLook:
         After a gap each marker alone finds a blob of its hue, often that of a neighbour. The rows
         are linearised at the shifted hand: pixels are not linear over centimetres.
         """
-        if not self._recognition.is_unsure(image, found):
+        if not found.is_unsure(image):
             return found, seen
         state = self._filter.state
         shift = self._starter.shift(state, image.unturned, image.pose)
@@ -120,7 +120,7 @@ class SecondLook:
         neighbour's blob equally well, and a finger that appears longer is mistaken for a nearer
         hand.
         """
-        if not self._recognition.is_unsure(image, found):
+        if not found.is_unsure(image):
             return found, seen
         there, fitted = self._fitted(image, self._filter.state)
         return Recognised(found.prediction, there.match), fitted
@@ -136,7 +136,7 @@ class SecondLook:
         trial = self._filter.corrected(self._recognition.rows(self._filter.state, image, found))
         there = self._recognition.look(trial, image)
         still = there.tally.matched >= found.tally.matched - 1
-        return still and self._recognition.misfit_px(image, there) <= self._params.misfit_px
+        return still and there.misfit_px(image) <= self._params.misfit_px
 
     def with_digits(self, image: SeenImage, found: Recognised) -> Recognised:
         """Moves all misplaced digits to where their markers are; see `with_next_digit`."""

@@ -171,7 +171,7 @@ class ChainTracker:
     def _if_back(self, image: SeenImage, found: Recognised) -> Recognised:
         """The matches, or nothing if the hand was out of view, or is in an unsure position for
         another reason, and does not fit the blobs."""
-        sure = image.is_mono or not self._recognition.is_unsure(image, found)
+        sure = image.is_mono or not found.is_unsure(image)
         if sure and not self._judge.is_coasting(image.frame.t):
             return found
         there = is_believable(found.tally, self._params.match.min_markers)
