@@ -83,7 +83,7 @@ def judged(hand: HandModel, names: tuple[str, ...], shown: dict[str, Estimate]) 
 
 
 @pytest.mark.parametrize("roll", [ABOVE, BELOW])
-def test_pinches_of_ring_and_little_finger_are_told_apart_by_the_cloth(
+def test_pinches_of_ring_and_little_finger_are_distinguished_by_the_cloth(
     hand: HandModel, glove: GloveModel, roll: float
 ) -> None:
     scenes = {finger: Pinching(hand, glove, finger, roll) for finger in PINCHED}
