@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from tracker.engine.pipeline import Pipeline
-from tracker.fusion.chain.start.mono_start import best_position, measured_sd
+from tracker.fusion.chain.start.mono_start import COVERING, best_position, measured_sd
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array, BlobFrame, Estimate, ImuSample, Tracking, Validity
@@ -163,7 +163,7 @@ def test_a_point_is_measured_only_if_people_of_any_size_leave_it_within_5_cm() -
     for sds, size_sd, distance in ((3, 0.065, 0.2), (3, 0.065, 0.25), (2.2, 0.04, 0.34)):
         p = pose.p_GC + distance * ahead
         limit = measured_sd(p, pose, size_sd)
-        of_pose = np.sqrt(limit**2 - (size_sd * distance) ** 2 / 3)
+        of_pose = np.sqrt(limit**2 - (COVERING * size_sd * distance) ** 2 / 3)
         assert sds * size_sd * distance + 4 * of_pose == pytest.approx(0.05, abs=1e-9)
     assert measured_sd(pose.p_GC + 0.36 * ahead, pose, 0.065) == 0.0
     assert measured_sd(pose.p_GC + 0.36 * ahead, pose, 0.015) > 0.015 * 0.36 / np.sqrt(3)

@@ -45,7 +45,8 @@ class MotionWindow:
 
     times (k,) s; seen (k, 3) multiples of the hand's size, from the camera, along axes of G;
     by_motion (k, 3, 19) m the same per unit of each unknown. The rest is the integration up to
-    ``t``: R_GI (3, 3), bg (3,) rad/s subtracted, velocity, place, turn (3, 19).
+    ``t``: R_GI (3, 3), bg (3,) rad/s subtracted, velocity, place, turn (3, 19). ``moved``: the
+    camera has moved since the start, at ``camera``.
     """
 
     start: float = np.nan
@@ -59,6 +60,7 @@ class MotionWindow:
     velocity: Array = field(default_factory=lambda: np.zeros(0))
     place: Array = field(default_factory=lambda: np.zeros(0))
     turn: Array = field(default_factory=lambda: np.zeros(0))
+    moved: bool = False
 
     @property
     def is_open(self) -> bool:
@@ -97,9 +99,12 @@ class MotionWindow:
         self.velocity, self.turn, self.t = velocities[-1], turns[-1], float(way.stop[-1])
         return True
 
-    def add(self, seen: Array) -> None:
-        """Adds an image at ``t``, with the position ``seen`` (3,) in multiples of the size."""
+    def add(self, seen: Array, camera: CameraPose) -> None:
+        """Adds an image at ``t``, with the position ``seen`` (3,) from the ``camera`` in multiples
+        of the size."""
+        assert self.camera is not None
         by_motion = self.place.copy()
+        by_motion[:, SCALE] -= camera.p_GC - self.camera.p_GC
         by_motion[:, SCALE] += self.place[:, GYRO_BIAS] @ self.bg  # the whole bias is unknown
         self.times = np.append(self.times, self.t)
         self.seen = np.concatenate([self.seen, seen[None]])

@@ -35,9 +35,11 @@ SETTLED = 3.0  # s of tracking before the first window: postures at a start are 
 LONGEST_GAP = 0.2  # s between two images
 LEAST_ROWS = 12  # coordinates of markers in an image
 LEAST_IMAGES = 12  # in a window
-SAME_PLACE, SAME_TURN = 0.001, 0.003  # m and rad: a camera that moves more between images
+SAME_PLACE, SAME_TURN = 0.001, 0.003  # m and rad: a camera that moves more is on a head
+FAR, FAR_TURN = 0.15, 0.5  # m and rad: its view is another one
 
 ACROSS_SD, DEPTH_SD = 0.001, 0.004  # m, of a position from an image
+POSE_SD = 0.0025  # m, of such a position by the reported pose of a camera that moves
 INDEPENDENT = 3.75  # positions per second with independent errors, whatever the image rate
 MOST_MISFIT = 3.0  # of a window, its expectation is at most 1
 
@@ -92,15 +94,18 @@ class SizeByMotion:
             return False
         if not window.is_open:
             now.window = window = window_at(state, self._layout, camera)
-        window.add((place - camera.p_GC) / size_index(state.scale, self._layout))
+        window.add((place - camera.p_GC) / size_index(state.scale, self._layout), camera)
         return state.t - window.start >= WINDOW
 
     def _continues(
         self, window: MotionWindow, state: ChainState, camera: CameraPose, buffer: ImuBuffer
     ) -> bool:
         """Integrates a window up to ``state``; whether nothing interrupted it."""
-        if state.t - window.times[-1] > LONGEST_GAP or not _is_at(window.camera, camera):
+        if state.t - window.times[-1] > LONGEST_GAP or window.camera is None:
             return False
+        if not _is_near(window.camera, camera, FAR, FAR_TURN):
+            return False
+        window.moved |= not _is_near(window.camera, camera, SAME_PLACE, SAME_TURN)
         return window.integrate(buffer.intervals(window.t, state.t), int(self._layout.imu_of[0]))
 
     def complete(
@@ -154,7 +159,8 @@ def information(window: MotionWindow, index: float) -> tuple[Array, Array, float
     flat = motion.reshape(len(t), -1)
     motion = (flat - basis @ (basis.T @ flat)).reshape(motion.shape)
     usual = len(t) / (INDEPENDENT * float(t[-1] - t[0])) / index**2
-    weight = 1.0 / (usual * np.array([ACROSS_SD, ACROSS_SD, DEPTH_SD]) ** 2)
+    variance = np.array([ACROSS_SD, ACROSS_SD, DEPTH_SD]) ** 2 + window.moved * POSE_SD**2
+    weight = 1.0 / (usual * variance)
     N = np.einsum("kia,i,kib->ab", motion, weight, motion)
     g = np.einsum("kia,i,ki->a", motion, weight, seen)
     total = float(np.einsum("ki,i,ki->", seen, weight, seen))
@@ -206,8 +212,8 @@ def _prior(scale: float, sd: float) -> tuple[Array, Array]:
     return N, g
 
 
-def _is_at(before: CameraPose | None, now: CameraPose) -> bool:
-    """Whether the camera has not moved."""
-    if before is None or np.linalg.norm(now.p_GC - before.p_GC) > SAME_PLACE:
+def _is_near(before: CameraPose, now: CameraPose, far: float, turn: float) -> bool:
+    """Whether the camera has moved and turned less than by ``far`` m and ``turn`` rad."""
+    if np.linalg.norm(now.p_GC - before.p_GC) > far:
         return False
-    return bool(np.linalg.norm(now.R_GC - before.R_GC) < SAME_TURN)
+    return bool(np.linalg.norm(now.R_GC - before.R_GC) < turn)

@@ -26,6 +26,8 @@ from tracker.messages import Array, CameraPose, IntArray
 
 SIZE_KEPT = 0.1  # factor on the size's standard deviation at a start with one camera
 SIZE_SD = 0.065  # relative, of the population: the distance uncertainty after such a start
+UNMEASURED = 0.05  # from which on nothing is known beyond the population
+COVERING = 1.3  # times the size's sd, in the sd of points: `with_distance_uncertainty`
 KNOWN_SIZE_SD = 0.015  # lower limit: with a ruler, or two cameras
 WRONG = 0.05  # m, maximum error of a measured point
 SIZE_SDS, POSE_SDS = 2.2, 4.0  # standard deviations of size and pose within that
@@ -109,10 +111,12 @@ def with_distance_uncertainty(sd: Array, p: Array, pose: CameraPose, size_sd: fl
     hand's size.
 
     As in `Estimate.keypoint_sd`, the root of the mean variance over three axes, one of which is the
-    ray.
+    ray. An error along one axis exceeds three of these for 8 % of people, and lasts. It is to be
+    3 %, as for errors along three axes: √3 of them must be 2.17 standard deviations of the size,
+    and a little more for people, whose 97th percentile is 14.7 % (`SIZE_SD`).
     """
     ray = float(np.linalg.norm(p - pose.p_GC))
-    out: Array = np.sqrt(sd**2 + (size_sd * ray) ** 2 / 3)  # eq. 44
+    out: Array = np.sqrt(sd**2 + (COVERING * size_sd * ray) ** 2 / 3)  # eq. 44
     return out
 
 
@@ -129,9 +133,9 @@ def measured_sd(p: Array, pose: CameraPose, size_sd: float) -> float:
     so they add up.
     """
     ray = float(np.linalg.norm(p - pose.p_GC))
-    sds = UNMEASURED_SDS if size_sd >= SIZE_SD else SIZE_SDS
+    sds = UNMEASURED_SDS if size_sd >= UNMEASURED else SIZE_SDS
     sd = max(WRONG - sds * size_sd * ray, 0.0) / POSE_SDS
-    return float(np.sqrt(sd**2 + (size_sd * ray) ** 2 / 3)) if sd > 0.0 else 0.0
+    return float(np.sqrt(sd**2 + (COVERING * size_sd * ray) ** 2 / 3)) if sd > 0.0 else 0.0
 
 
 def _rank(pose: Pose) -> float:
