@@ -47,6 +47,7 @@ NOT_WRITTEN = {
         "--dask",
         "--distal",
         "--engine",
+        "--sessions",
     ),
     *("--engines", "--experiments", "--lights", "--ablations", "--glove", "--hand", "--image"),
     *("--body", "--imu", "--joints", "--left", "--listen", "--live", "--motion", "--object"),
