@@ -167,7 +167,7 @@ print(left.shape, int(right.max()), {str(tmp_path)!r} in address)
     assert found == "(48, 64, 3) 7 True"
 
 
-PEERS = """
+PEERS = '''
 import dataclasses, importlib, json, subprocess, sys, threading, time, types
 from unittest.mock import MagicMock
 
@@ -193,7 +193,17 @@ for name, parts in {
 for name in ("rclpy", "geometry_msgs", "geometry_msgs.msg", "sensor_msgs", "sensor_msgs.msg",
              "tf2_ros"):
     sys.modules[name] = MagicMock()
-"""
+
+def nearest(angles, estimates):
+    """Largest difference (rad) from the estimate that is nearest; of its known angles, at least
+    ten."""
+    apart = []
+    for estimate in estimates:
+        known = [n for n, a in estimate.angles.items() if a == a and n in angles]
+        if len(known) >= 10:
+            apart.append(max(abs(angles[n] - estimate.angles[n]) for n in known))
+    return float(min(apart))
+'''
 """Stand-ins for LeRobot and rclpy, which are not installed: the tests of each example in
 `tests/streaming` compare all that it makes."""
 
@@ -238,6 +248,7 @@ if __name__ == "__main__":
         listener = DataReader(topic.participant, topic, qos=glovetrack_dds.QOS)
         config = robot.GlovetrackConfig()
         config.url, config.feedback_url = url, ""
+        config.patience = config.connect_patience = 60.0  # s, on a loaded computer
         arm = robot.Glovetrack(config)
         connecting = threading.Thread(target=arm.connect)
         for thread in [*nodes, connecting]:
@@ -259,7 +270,8 @@ if __name__ == "__main__":
     assert rerun.returncode == 0
     node = sys.modules["rclpy"].create_node.return_value
     topics = [call.args[1] for call in node.create_publisher.call_args_list]
-    print(json.dumps([topics, out]))
+    robot = dict((n.removesuffix(".pos"), angle) for n, angle in out["robot"].items())
+    print(json.dumps([topics, nearest(robot, seen), nearest(out["dds"], seen)]))
 """
         ended = run(site, PEERS + code, ROS_DOMAIN_ID="78")
         reader.join(10)
@@ -268,12 +280,9 @@ if __name__ == "__main__":
     assert {hand["side"] for hand in hands} == {"right"} and len(hands[0]["joints"]) == 26
     stamps = [hand["t"] for hand in hands]
     assert stamps == sorted(set(stamps))
-    topics, found = json.loads(ended.splitlines()[-1])
+    topics, *apart = json.loads(ended.splitlines()[-1])
     assert topics == ["/hand/right/joint_states", "/hand/right/openxr"]
-    streamed = [{n: a["value"] for n, a in hand["angles"].items()} for hand in hands]
-    robot = {name.removesuffix(".pos"): angle for name, angle in found["robot"].items()}
-    assert any(robot == known for known in streamed), "an estimate"
-    assert any(found["dds"] == known for known in streamed)
+    assert max(apart) < 1e-5, "rad: each received one of the estimates, with the digits of JSON"
     assert (site.parent / "hand.rrd").stat().st_size > 1000
 
 
