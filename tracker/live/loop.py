@@ -186,7 +186,9 @@ class LiveLoop:
         if hand.sides is not None:
             hand.sides.packet(sample, estimate.tracking)
             if names := hand.sides.take_names():
-                self._rename_hues(names, side)
+                hues = self.hands.pipelines[side].glove.hues
+                with self._pipeline_lock:
+                    self._request(hue_names_event(hues, names, self._order.mark()), side)
         if self._exchange is not None:
             self._exchange.packet(side, sample, estimate.tracking)
         self.reference.put(Sided(sample, side))
@@ -258,11 +260,6 @@ class LiveLoop:
         else:
             self.journal.record(event)
         self.hands.feed_event(event)
-
-    def _rename_hues(self, names: tuple[str, ...], side: str) -> None:
-        hues = self.hands.pipelines[side].glove.hues
-        with self._pipeline_lock:
-            self._request(hue_names_event(hues, names, self._order.mark()), side)
 
     def _process_results(self) -> None:
         for side, pipeline in self.hands.pipelines.items():

@@ -346,14 +346,10 @@ class Recognition:
         result = frame_result(
             frame, self._rig, tracking, found.prediction, image.blobs, found.match
         )
-        if tracking == Tracking.TRACKING and self._misses_many(found.tally):
+        if tracking == Tracking.TRACKING and _misses_many(found.tally):
             result = replace(result, hues=self._hues(image, found))
         shift = self._pixels.row_shift(state, image.pose, image.exposure)
         return result if shift is None else replace(result, row_shift=shift)
-
-    @staticmethod
-    def _misses_many(tally: Tally) -> bool:
-        return tally.matched < FEW_SHARE * tally.expected
 
     def _hues(self, image: SeenImage, found: Recognised) -> Array:
         """(h, h): see `FrameResult`."""
@@ -380,3 +376,7 @@ class Recognition:
             uv[found.match[c, marker]] -= shift[c, marker]
             sides.append(side._replace(uv=uv))
         return image._replace(blobs=(sides[0], sides[1]), exposure=None)
+
+
+def _misses_many(tally: Tally) -> bool:
+    return tally.matched < FEW_SHARE * tally.expected
