@@ -7,7 +7,7 @@ import tempfile
 import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +17,6 @@ from extensions.evaluation.fingers.visible import Seen, shares_seen
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 from tracker.engine.pipeline import Pipeline
-from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.recognition import SeenImage
 from tracker.hand.names import FINGERS
 from tracker.messages import Array, BlobFrame, CameraImuSample, Estimate, ImuSample, Validity
@@ -114,19 +113,27 @@ def bound_of(session: Path, colours: str, progress: Callable[[float], None]) -> 
     return Bound(errors_of(compared, names, seen), np.array(cost), seen)
 
 
+@runtime_checkable
+class _MeasuresCloth(Protocol):
+    """The part of an engine that measures fingers by the outline of the glove."""
+
+    def measure_cloth(self, image: SeenImage) -> None: ...
+
+
 def _timed(run: Pipeline) -> list[float]:
     """The processor times (s) of the evaluations of the cloth, as they are made."""
-    engine, times = run.engine, []
-    if not isinstance(engine, ChainEngine):
-        return []
-    measure = engine.tracker.measure_cloth
+    times: list[float] = []
+    part = getattr(run.engine, "tracker", None)
+    if not isinstance(part, _MeasuresCloth):
+        return times
+    measure = part.measure_cloth
 
     def timed(image: SeenImage) -> None:
         started = time.thread_time()
         measure(image)
         times.append(time.thread_time() - started)
 
-    engine.tracker.measure_cloth = timed  # type: ignore[method-assign]
+    part.measure_cloth = timed  # type: ignore[method-assign]
     return times
 
 

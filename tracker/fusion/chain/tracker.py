@@ -140,7 +140,7 @@ class ChainTracker:
             seen = self._recognition.evidence(image, found)
         if not seen.is_credible:
             found = found.nothing()
-        elif self._shows_digits(image, found):
+        elif not image.is_mono and found.shift is None:  # in depth, close to the filter's state
             found = self._with_digits(image, found)
         # 3. The matches correct the state, together with anatomy.
         rows, dx = self._correct(image, found)
@@ -177,17 +177,13 @@ class ChainTracker:
         there = is_believable(found.tally, self._params.match.min_markers)
         return found if there and self._second.fits_after_gap(image, found) else found.nothing()
 
-    def _shows_digits(self, image: SeenImage, found: Recognised) -> bool:
-        """Whether digits can be searched for: in depth, by a hand close to the filter's state."""
-        return not image.is_mono and found.shift is None
-
     def _with_digits(self, image: SeenImage, found: Recognised) -> Recognised:
         """Moves a misplaced digit, if a search for one is due."""
         digit, count = self._judge.next_digit(image.frame.t), self._second.digit_count
         if digit is None or count == 0:
             return found
         found, end = self._second.with_next_digit(image, found, digit)
-        self._judge.searched_digits(end, count)
+        self._judge.saved.next_digit = end % count
         return found
 
     def _correct(self, image: SeenImage, found: Recognised) -> tuple[Rows, Array]:

@@ -137,17 +137,13 @@ class TrackingJudge:
 
     def next_digit(self, t: float) -> int | None:
         """The digit with which a search of misplaced digits begins or continues, None if it is not
-        due."""
+        due. Who searches sets ``saved.next_digit``."""
         now = self.saved
         if now.next_digit == 0 and t - now.last_digits < DIGIT_PERIOD:
             return None
         if now.next_digit == 0:
             now.last_digits = t
         return now.next_digit
-
-    def searched_digits(self, end: int, count: int) -> None:
-        """Of ``count`` digits, those before ``end`` have been searched."""
-        self.saved.next_digit = end % count
 
     def should_search(self, t: float, tally: Tally) -> bool:
         """Whether lost, or with too few of the expected markers for too long; if so, the time is
