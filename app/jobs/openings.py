@@ -46,7 +46,7 @@ class Openings(Generic[T]):
         called in the window's thread; if it returns False, the resource is closed. A request that
         a newer one follows opens nothing, or is closed before the newer one opens anything."""
         wish = self._wanted[name] = self._wanted.get(name, 0) + 1
-        self.problems.pop(name, None)
+        problem = self.problems.pop(name, None)
         before = self._open.pop(name, None)
 
         opening, stale = self._opening[name], self._stale[name]
@@ -74,7 +74,8 @@ class Openings(Generic[T]):
                 failed=partial(self._failed, name, wish),
                 ended=partial(self._end, name),
             )
-        self._changed()
+        if before is not None or problem is not None:
+            self._changed()
 
     def _opened(self, name: str, wish: int, use: Callable[[T], bool], made: T | None) -> None:
         """Use the resource, unless all were closed or there is a newer request, whose job closes

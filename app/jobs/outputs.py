@@ -280,9 +280,14 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
 
     def _apply_all(self) -> None:
         for name in (*self.kinds, HAPTICS):
-            self._apply(name)
+            self._renew(name)
+        self.changed.emit()
 
     def _apply(self, name: str) -> None:
+        self._renew(name)
+        self.changed.emit()
+
+    def _renew(self, name: str) -> None:
         """Close a stream and, if an engine runs, reopen it with the current settings."""
         setup = self._wanted_on(name)
         words = self.tr("Closing {}") if setup is None else self.tr("Opening {}")

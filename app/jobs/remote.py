@@ -274,6 +274,7 @@ class RemoteControl(Connections[DoorKind[Any], ConnectionSettings]):
         make = partial(open_door, kind, self.settings.options(kind), self.answers.answer)
         title = self.tr("Remote control over {}").format(name)
         self._openings.renew(name, title, make if self.is_on(name) else None, self._take)
+        self.changed.emit()
 
     def _take(self, door: Door) -> bool:
         words = self.tr("Remote control over {} is open.").format(shown(door.counts().name))
