@@ -1,12 +1,13 @@
 """Finds the right names of hues that are exchanged in the colours, for instance red called blue.
 
 Then there are enough blobs, but no hand among them, or one that is found by mistake and lost again.
-The same packets and images are tried in another pipeline with another order of the names in each
-image. Where a hand is tracked nevertheless, the pipeline itself corrects them (`HueNames`).
+The same packets and images are tried in another pipeline, with another order of the names in each
+search. Where a hand is tracked nevertheless, the pipeline itself corrects them (`HueNames`).
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 from tracker.engine.pipeline import Pipeline
@@ -14,9 +15,9 @@ from tracker.messages import BlobFrame, FrameResult, ImuSample, Tracking
 from tracker.vision.hue_orders import orders
 
 PATIENCE = 1.5  # s without a hand, before other names are tried
-ROUND = 1.2  # s for which a new hand is searched for in each image; all orders, at 20 images/s
+ROUND = 1.2  # s for which a new hand is searched for; more than all 23 orders
 ROUNDS = 2
-EVERY = 0.02  # s between two searches of the trial: one in each image
+EVERY = 0.03  # s between two searches, of 10 to 30 ms each: packets wait for them
 PAUSE = 10.0  # s until they are tried again
 FOUND = 3.0  # s for which our hand has to be tracked to be the right one
 TRIAL = 0.3  # s without enough markers, after which a hand that was found is given up
@@ -36,6 +37,7 @@ class HueWatch:
         self._asked: dict[float, tuple[str, ...]] = {}  # by the image's time
         self._shows = False  # enough markers
         self._rounds = 0
+        self._last = -math.inf  # image that was searched
         self._waited = self._followed = self._searched = self._missing = self._sure = 0.0
         self._names: tuple[str, ...] = ()
 
@@ -70,6 +72,9 @@ class HueWatch:
             return
         order = self._order
         if not order:
+            if blobs.t - self._last < EVERY:
+                return
+            self._last = blobs.t
             others = tuple(orders(self._pipeline.hues.names))
             if not others:
                 return
@@ -94,7 +99,7 @@ class HueWatch:
     def _begin(self) -> None:
         own = self._pipeline
         chain = own.settings.chain
-        match = replace(chain.match, search_period=EVERY)
+        match = replace(chain.match, search_period=EVERY / 2)
         settings = replace(own.settings, chain=replace(chain, match=match))
         self._trial = Pipeline(own.hand, own.glove, own.calibrated_rig, settings)
         self._order, self._shows = (), False
