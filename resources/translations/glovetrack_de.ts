@@ -8950,12 +8950,12 @@ change {}: {}</source>
       <translation>St&amp;udie…</translation>
     </message>
     <message>
-      <location filename="extensions/study/window/extension.py" />
+      <location filename="extensions/study/window/start.py" />
       <source>Protocol of a study</source>
       <translation>Protokoll einer Studie</translation>
     </message>
     <message>
-      <location filename="extensions/study/window/extension.py" />
+      <location filename="extensions/study/window/start.py" />
       <source>Protocols (*.toml)</source>
       <translation>Protokolle (*.toml)</translation>
     </message>

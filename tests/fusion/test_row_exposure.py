@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from tracker.fusion.chain.engine import ChainEngine
-from tracker.fusion.chain.filter import ChainFilter
+from tracker.fusion.chain.filter import MovedStates
 from tracker.fusion.chain.kinematics import marker_positions
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams, NoiseParams
@@ -182,13 +182,13 @@ def test_a_hand_found_twice_keeps_a_proper_covariance(
     """Two searches in succession determine the hand's velocity, on which the rows depend: the
     update has to use the covariance of the state with this velocity."""
     found: list[Array] = []
-    moving = ChainFilter.moving
+    moving = MovedStates.moving
 
-    def noted(self: ChainFilter, moved: ChainState, v: Array) -> None:
+    def noted(self: MovedStates, moved: ChainState, v: Array) -> None:
         found.append(v)
         moving(self, moved, v)
 
-    monkeypatch.setattr(ChainFilter, "moving", noted)
+    monkeypatch.setattr(MovedStates, "moving", noted)
     postures = RandomPostures(hand, 3, duration=2.6)
     sim = Simulation(hand, glove, postures, 3, fps=30, rig=with_readout(ideal_rig(), READOUT))
     engine = ChainEngine(hand, glove, sim.rig, ChainParams())

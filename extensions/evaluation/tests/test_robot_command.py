@@ -43,7 +43,8 @@ def test_the_command_reports_the_distances_of_the_tips(capsys: pytest.CaptureFix
 def test_without_the_robot_extension_this_protocol_alone_is_missing(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    # as if the folder were removed
+    # as if the folder were removed, in a program that has not run the command yet
+    monkeypatch.delitem(sys.modules, "extensions.evaluation.robot.command", raising=False)
     monkeypatch.setitem(sys.modules, "extensions.robot.library", None)
     assert main(["evaluate", "robot"]) == 1
     assert shows(capsys.readouterr().err, "evaluation.no_robot")

@@ -142,9 +142,9 @@ def test_the_command_writes_json_and_keeps_a_file(
     found = LoopBack(DelayedLight(0, 0.004, 0.001, 0.9), np.full(9, 0.03), (8, 8), 30, 900)
     link = GloveLink(lambda: pytest.fail("not opened"), 7)
     opened = SimpleNamespace(gloves=[SimpleNamespace(source=link)], camera=link)
-    monkeypatch.setattr("glovetrack.devices.glove_devices", lambda port: opened)
-    monkeypatch.setattr("glovetrack.devices.with_camera", lambda devices, *_: devices)
-    monkeypatch.setattr("extensions.loopback.measure.measure", lambda *_: found)
+    monkeypatch.setattr("extensions.loopback.command_runs.glove_devices", lambda port: opened)
+    monkeypatch.setattr("extensions.loopback.command_runs.with_camera", lambda devices, *_: devices)
+    monkeypatch.setattr("extensions.loopback.command_runs.measure", lambda *_: found)
     out = tmp_path / "a.json"
     command = ["loop-back", "--camera", "0", "--calibration", "c.yml", "--json", str(out)]
     assert main(command) == 0
