@@ -185,9 +185,9 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
         self._process = ProcessOfStreams()
         self._openings: Openings[HandsOutput | ApartOutput] = Openings(tasks, self.changed.emit)
         self.problems = self._openings.problems
-        self.wanted.connect(self._apply)
-        host.running_changed.connect(lambda _on: self._apply_all())
-        host.closed.connect(self._apply_all)
+        self.wanted.connect(lambda name: self._apply(name))
+        host.running_changed.connect(lambda _on: self._apply())
+        host.closed.connect(lambda: self._apply())
 
     # --- requests of the user
 
@@ -278,13 +278,10 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
 
     # --- opening and closing
 
-    def _apply_all(self) -> None:
-        for name in (*self.kinds, HAPTICS):
+    def _apply(self, *names: str) -> None:
+        """Renew streams, all of them without ``names``, and report it once."""
+        for name in names or (*self.kinds, HAPTICS):
             self._renew(name)
-        self.changed.emit()
-
-    def _apply(self, name: str) -> None:
-        self._renew(name)
         self.changed.emit()
 
     def _renew(self, name: str) -> None:
