@@ -29,7 +29,7 @@ from tracker.base.notices import notice
 from tracker.streaming.remote.request import is_reply
 
 WAIT_MS = 2000
-ASK_MS = 10_000  # a window that is opening devices does not respond for seconds
+ASK_MS = 30_000  # a window that is opening devices on a loaded computer responds late
 MOST_BYTES = 65536
 ANSWER = b"taken\n"
 
@@ -52,29 +52,33 @@ def hand_over(session: Path | None, at: float | None = None, name: str | None = 
     if at is not None:
         request["at"] = at
     answer = _converse(request, name, WAIT_MS)
-    if answer not in (b"", ANSWER):
+    if answer not in (None, b"", ANSWER):
         raise GlovetrackError(notice("window.other_program"))
     return answer == ANSWER
 
 
 def ask(words: dict[str, Any], name: str | None = None) -> str | None:
-    """Send a request to the open window; its answer as JSON, None if there is none.
+    """Send a request to the open window; its answer as JSON, None if no window is open.
 
-    Raises ForeignSocket if another user's program listens, GlovetrackError for an invalid answer.
+    Raises ForeignSocket if another user's program listens, GlovetrackError for an invalid answer or
+    if there is none within `ASK_MS`.
     """
     answer = _converse({"remote": words}, name, ASK_MS)
-    if not answer:
+    if answer is None:
         return None
+    if not answer:
+        raise GlovetrackError(notice("window.no_answer", seconds=ASK_MS // 1000))
     if not is_reply(answer):
         raise GlovetrackError(notice("window.other_program"))
     return answer.decode("utf-8").strip()
 
 
-def _converse(request: dict[str, Any], name: str | None, wait_ms: int) -> bytes:
-    """Send one line to the open window; its answer, empty without one."""
+def _converse(request: dict[str, Any], name: str | None, wait_ms: int) -> bytes | None:
+    """Send one line to the open window; its answer, empty if it does not answer within ``wait_ms``;
+    None if no window is open."""
     socket = _connected_to(name or server_name())
     if socket is None:
-        return b""
+        return None
     socket.write(json.dumps(request).encode() + b"\n")
     answer, end = b"", time.monotonic() + wait_ms / 1000
     if socket.waitForBytesWritten(WAIT_MS):

@@ -13256,6 +13256,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>The window does not answer within {seconds} s. It may still do what was requested.</source>
+      <translation>Das Fenster antwortet nicht innerhalb von {seconds} s. Möglicherweise tut es das Gewünschte noch.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>No window is open. Open one with glovetrack.</source>
       <translation>Es ist kein Fenster geöffnet. Öffnen Sie eines mit glovetrack.</translation>
     </message>

@@ -10,9 +10,11 @@ from pathlib import Path
 import pytest
 from PySide6.QtNetwork import QLocalSocket
 
+from app.platform import single_instance
 from app.platform.own_socket import addresses
-from app.platform.single_instance import Instance, hand_over
+from app.platform.single_instance import Instance, ask, hand_over
 from tests.notices import shows
+from tracker.base.errors import GlovetrackError
 from tracker.cli import main
 from tracker.offline.simulate import SimulateOptions, simulate
 
@@ -153,3 +155,17 @@ def test_invalid_data_on_the_socket_are_rejected(qtbot):
         assert asked == []
     finally:
         instance.close()
+
+
+def test_a_window_that_does_not_answer_differs_from_none(qapp, monkeypatch):
+    """A loaded computer carries out a request after the script has given up waiting."""
+    monkeypatch.setattr(single_instance, "ASK_MS", 100)
+    name = f"glovetrack-test-{uuid.uuid4().hex}"
+    assert ask({"do": "start"}, name) is None
+    window = Instance(name)  # whose event loop does not run
+    try:
+        with pytest.raises(GlovetrackError) as error:
+            ask({"do": "start"}, name)
+        assert error.value.notice.code == "window.no_answer"
+    finally:
+        window.close()

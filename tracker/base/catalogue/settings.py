@@ -127,6 +127,9 @@ TEXTS = {
     ),
     "file.not_created": "{path} cannot be created: {why}.",
     "config.key": "{file}: {key} {why}.",
+    "window.no_answer": (
+        "The window does not answer within {seconds} s. It may still do what was requested."
+    ),
     "window.none": "No window is open. Open one with glovetrack.",
     "stream.failed": "{stream}: {why}.",
     "stream.not_connected": "{stream}: not connected.",
