@@ -13,7 +13,7 @@
 # make wheel        dist/glovetrack-*.whl with the compiled kernels, for this Python and system
 # make bench        measure speed and accuracy against the goals, into bench.json; ten minutes for the app
 # make bench-peers  install MediaPipe Hands for it in a separate environment (it requires numpy 1)
-# make kernels      recompile kernels after changes to them; until then numba compiles the changed ones
+# make kernels      compile kernels that were changed, as make demo, make test and the window's start also do
 # make lock         regenerate requirements.lock in a fresh environment
 # make clean        remove build outputs, measurements and the virtual environment
 #
@@ -22,8 +22,11 @@
 
 VENV := .venv
 BIN := $(VENV)/bin
+INSTALLED := $(VENV)/.installed
+INSTALLED_FOR_TESTS := $(VENV)/.installed-for-tests
 READY := $(VENV)/.ready
 READY_FOR_TESTS := $(VENV)/.ready-for-tests
+KERNEL_SOURCES := $(shell grep -rl --include='*.py' '^@kernel' app extensions tracker)
 SCREEN := $(or $(DISPLAY),$(WAYLAND_DISPLAY),$(filter Darwin,$(shell uname -s)))
 OFFSCREEN := QT_QPA_PLATFORM=offscreen
 FIRMWARE_BUILD := build/firmware
@@ -112,14 +115,20 @@ clean:
 SET_UP := pyproject.toml packaging/environment.sh packaging/system_libraries.sh \
 	$(addprefix tracker/kernels/,build.py aot.py target.py toolchain.py dispatch.c runtime.c module.c)
 
-$(READY): requirements.lock $(SET_UP)
+$(INSTALLED): requirements.lock $(SET_UP)
 	packaging/system_libraries.sh app
 	packaging/environment.sh $(VENV)
+	touch $@
+
+$(INSTALLED_FOR_TESTS): requirements-test.lock $(SET_UP)
+	packaging/system_libraries.sh app
+	packaging/environment.sh $(VENV) test
+	touch $@ $(INSTALLED)
+
+$(READY): $(INSTALLED) $(KERNEL_SOURCES)
 	packaging/kernels.sh $(VENV) --for-demo $(if $(SCREEN),--shown)
 	touch $@
 
-$(READY_FOR_TESTS): requirements-test.lock $(SET_UP)
-	packaging/system_libraries.sh app
-	packaging/environment.sh $(VENV) test
+$(READY_FOR_TESTS): $(INSTALLED_FOR_TESTS) $(KERNEL_SOURCES)
 	packaging/kernels.sh $(VENV)
 	touch $@ $(READY)

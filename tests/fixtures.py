@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+os.environ.setdefault("GLOVETRACK_KERNELS", "kept")  # windows that tests open compile nothing
 
 import app  # noqa: F401, I001  (before numpy: it limits BLAS to one thread, as in workers)
 

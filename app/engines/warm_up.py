@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import logging
+
 from tracker import kernels
 from tracker.engine.pipeline import Pipeline
 from tracker.glove import library
@@ -15,6 +17,12 @@ from tracker.vision.rig import ideal_rig
 
 MOTION = 0.6  # s, in which the hand is found and corrected, which needs every kernel
 SEED, FPS = 1, 30.0
+OUTDATED = (
+    "The compiled kernels are missing or older than their source. They are compiled on first use, "
+    "and tracking can stop for seconds. To compile them now: make kernels"
+)
+
+_log = logging.getLogger(__name__)
 
 
 def load_engine(glove: str, hand: str | None = None) -> None:
@@ -29,6 +37,7 @@ def warm_up(hand: HandModel, glove: GloveModel, detector: Detector) -> None:
     """Track simulated motion and search an image; returns at once if all kernels are compiled."""
     if kernels.are_compiled():
         return
+    _log.warning(OUTDATED)
     warm_up_view()
     motion = RandomPostures(hand, SEED, duration=MOTION)
     simulation = Simulation(hand, glove, motion, SEED, fps=FPS)

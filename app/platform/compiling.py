@@ -1,4 +1,5 @@
-"""The progress window while kernels are compiled at the very first start from source."""
+"""The progress window while kernels are compiled at the first start from source, and after an
+update of it."""
 
 from __future__ import annotations
 
@@ -22,11 +23,11 @@ class CompilingWindow(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self.setWindowTitle(self.tr("Glovetrack – first start"))
+        self.setWindowTitle(self.tr("Glovetrack – compiling"))
         self.text = QLabel(
             self.tr(
-                "Compiling the numerical kernels for this computer. This happens once and takes "
-                "a minute or two on two cores."
+                "Compiling the numerical kernels for this computer. This happens at the first "
+                "start, where it takes a minute or two on two cores, and after updates."
             )
         )
         self.text.setWordWrap(True)
@@ -85,12 +86,12 @@ class CompilingWindow(QWidget):
 
 
 def compile_before_start(app: QApplication) -> None:
-    """If kernels were never compiled and can be, compile them with a progress window and start
-    again.
+    """If kernels were never compiled, or before an update of the source, compile them with a
+    progress window and start again.
 
     Kernels that the demo does not need are compiled in the background afterwards. Does nothing if
-    there is a library, or if the user did not want to wait: numba then compiles kernels on first
-    use.
+    the library is current, or if the user did not want to wait: numba then compiles kernels on
+    first use, and tracking stops meanwhile.
     """
     if not tools.are_wanted():
         return

@@ -2644,13 +2644,13 @@
     </message>
     <message>
       <location filename="app/platform/compiling.py" />
-      <source>Glovetrack – first start</source>
-      <translation>Glovetrack – erster Start</translation>
+      <source>Glovetrack – compiling</source>
+      <translation>Glovetrack – Kompilierung</translation>
     </message>
     <message>
       <location filename="app/platform/compiling.py" />
-      <source>Compiling the numerical kernels for this computer. This happens once and takes a minute or two on two cores.</source>
-      <translation>Die Rechenkerne werden für diesen Rechner übersetzt. Das geschieht einmal und dauert auf zwei Prozessorkernen ein bis zwei Minuten.</translation>
+      <source>Compiling the numerical kernels for this computer. This happens at the first start, where it takes a minute or two on two cores, and after updates.</source>
+      <translation>Die numerischen Kernel werden für diesen Computer kompiliert. Das geschieht beim ersten Start, wo es auf zwei Kernen ein bis zwei Minuten dauert, und nach Aktualisierungen.</translation>
     </message>
     <message>
       <location filename="app/platform/compiling.py" />

@@ -1,5 +1,6 @@
 """The first start from source: the compilation of kernels is shown to the user."""
 
+import os
 import sys
 
 import pytest
@@ -47,16 +48,44 @@ def test_cancelling_stops_the_compiler(window, qtbot):
     assert window._process.state() == window._process.ProcessState.NotRunning
 
 
-def test_only_a_checkout_without_a_library_is_compiled(qapp, monkeypatch, tmp_path):
-    started = []
-    monkeypatch.setattr(compiling.os, "execv", lambda *_: started.append("anew"))
-    monkeypatch.setattr(compiling.subprocess, "Popen", lambda *_a, **_k: started.append("the rest"))
+@pytest.fixture
+def started(qapp, monkeypatch, tmp_path):
+    """What `compile_before_start` starts, where the library is in ``tmp_path``."""
+    processes = []
+    monkeypatch.setattr(compiling.os, "execv", lambda *_: processes.append("anew"))
+    monkeypatch.setattr(compiling.subprocess, "Popen", lambda *_a, **_k: processes.append("rest"))
     monkeypatch.setattr(tools, "command", lambda *_: words("compiled 1 of 1: all"))
     monkeypatch.setattr(tools, "are_here", lambda: True)
     monkeypatch.setattr(parts, "HERE", tmp_path)
-    (tmp_path / "_compiled_vision.txt").write_text("a table")
+    monkeypatch.delenv(parts.MODE)
+    return processes
+
+
+def test_a_checkout_without_a_library_is_compiled(qapp, started):
+    compile_before_start(qapp)
+    assert started == ["rest", "anew"]
+
+
+def test_only_an_outdated_library_is_compiled_again(qapp, started, monkeypatch, tmp_path):
+    for part in ("tracker_vision", "tracker_inertial"):  # the demo does not need the second one
+        (tmp_path / f"_compiled_{part}.txt").write_text("a table")
+    os.utime(tmp_path / "_compiled_tracker_inertial.txt", (0, 0))
+    source = tmp_path / "tracker" / "vision" / "kernels.py"
+    source.parent.mkdir(parents=True)
+    monkeypatch.setattr(tools.are_outdated, "__defaults__", (tmp_path,))
+    now = (tmp_path / "_compiled_tracker_vision.txt").stat().st_mtime
+    for text, t, outdated in (
+        ("@kernel\n", now - 1, False),
+        ("", now + 1, False),
+        ("@kernel\n", now + 1, True),
+    ):
+        source.write_text(f"from tracker.kernels import kernel\n\n{text}")
+        os.utime(source, (t, t))
+        compile_before_start(qapp)
+        assert started == (["rest", "anew"] if outdated else [])
+
+
+def test_tests_use_the_library_as_it_is(qapp, started, monkeypatch):
+    monkeypatch.setenv(parts.MODE, "kept")
     compile_before_start(qapp)
     assert not started
-    (tmp_path / "_compiled_vision.txt").unlink()
-    compile_before_start(qapp)
-    assert started == ["the rest", "anew"]

@@ -23,7 +23,7 @@ from concurrent.futures import ProcessPoolExecutor, as_completed
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from tracker.kernels.decorator import MODE
+from tracker.kernels.parts import MODE
 
 os.environ[MODE] = "build"  # before any kernel is created
 
@@ -58,7 +58,7 @@ def main(wanted: list[str]) -> None:
     if not wanted:
         parts.remove_others(entries)
     elif wanted == [FOR_DEMO]:
-        tables = {p: table for p, table in tables.items() if p not in parts.NOT_FOR_THE_DEMO}
+        tables = {p: table for p, table in tables.items() if not parts.is_for_later(p)}
     else:
         tables = {part: tables[part] for part in wanted}
     old = [part for part, table in tables.items() if not parts.is_built(part, table)]
@@ -67,6 +67,8 @@ def main(wanted: list[str]) -> None:
     _get_dispatch()
     new = [part for part in old if not _fetch_part(part, tables[part])]
     _build_side_by_side(new)
+    for part in tables:
+        os.utime(parts.table_of(part))  # current, even if its source file was touched
     print(f"{len(tables)} parts of kernels: {len(new)} compiled, {len(old) - len(new)} fetched")
 
 

@@ -9,10 +9,7 @@ from typing import Any, TypeVar, overload
 
 from tracker.kernels import parts
 from tracker.kernels.library import Library, load
-
-MODE = "GLOVETRACK_KERNELS"
-"""Environment variable. ``numba``: ignore the compiled library. ``build``: kernels as required by
-the library's compiler, without numba's cache."""
+from tracker.kernels.parts import MODE
 
 F = TypeVar("F", bound=Callable[..., Any])
 

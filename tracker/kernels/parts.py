@@ -16,6 +16,10 @@ from pathlib import Path
 from tracker.kernels.signature import INSTALLED_IN
 
 HERE = Path(__file__).parent
+MODE = "GLOVETRACK_KERNELS"
+"""Environment variable. ``numba``: ignore the compiled library. ``build``: kernels as required by
+the library's compiler, without numba's cache. ``kept``: use the library as it is, even if it is
+older than its source."""
 PREFIX = "_compiled_"
 WIDE = "_wide"
 """Suffix of a part's second module, in which kernels that process images (`decorator.kernel`) are
@@ -49,6 +53,11 @@ def module_of(part: str) -> str:
 def is_wide(part: str) -> bool:
     """Whether a part is only for processors with `WIDE_FEATURES`."""
     return part.endswith(WIDE)
+
+
+def is_for_later(part: str) -> bool:
+    """Whether the demo does not need a part."""
+    return part.removesuffix(WIDE) in NOT_FOR_THE_DEMO
 
 
 def can_be_wide() -> bool:
