@@ -13,6 +13,7 @@ from scipy.spatial.transform import Rotation, Slerp
 
 from extensions.reference.tests.laboratory import FAULTY, markers, write_c3d
 from tests.gui.conftest import no_leaks, qtbot, store, window
+from tests.made_once import made_once
 from tracker.cli import main
 from tracker.geometry import so3
 from tracker.messages import Array, Event, Validity
@@ -87,25 +88,33 @@ def wearer() -> Wearer:
 
 
 @pytest.fixture(scope="session")
-def tracked(wearer: Wearer, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """24 s with noise of 1 mm."""
-    return wearer.session(tmp_path_factory.mktemp("reference") / "tracked.mcap", 0.001)
+def tracked(wearer: Wearer, shared_folder: Path) -> Path:
+    """24 s with noise of 1 mm; tests write nothing beside it."""
+    made = made_once(
+        shared_folder / "reference-24s", lambda to: wearer.session(to / "tracked.mcap", 0.001)
+    )
+    return made / "tracked.mcap"
 
 
 @pytest.fixture(scope="session")
-def short(wearer: Wearer, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def short(wearer: Wearer, shared_folder: Path) -> Path:
     """Likewise, 20 s."""
-    path = tmp_path_factory.mktemp("reference") / "short.mcap"
-    return wearer.session(path, 0.001, duration=20.0)
+    made = made_once(
+        shared_folder / "reference-20s",
+        lambda to: wearer.session(to / "short.mcap", 0.001, duration=20.0),
+    )
+    return made / "short.mcap"
 
 
 @pytest.fixture(scope="session")
-def imported(tracked: Path, faulty: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def imported(tracked: Path, faulty: Path, shared_folder: Path) -> Path:
     """By the command, with ``report.json`` next to it."""
-    out = tmp_path_factory.mktemp("imported") / "out.mcap"
-    words = ["-o", str(out), "--json", str(out.with_name("report.json"))]
-    assert main(["import-reference", str(faulty), str(tracked), *words]) == 0
-    return out
+
+    def make(folder: Path) -> None:
+        words = ["-o", str(folder / "out.mcap"), "--json", str(folder / "report.json")]
+        assert main(["import-reference", str(faulty), str(tracked), *words]) == 0
+
+    return made_once(shared_folder / "reference-imported", make) / "out.mcap"
 
 
 @pytest.fixture(scope="session")
