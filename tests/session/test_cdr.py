@@ -78,6 +78,43 @@ def test_a_big_endian_message_is_read_the_same(name: str) -> None:
     assert repr(UNPACK[name](big)) == repr(UNPACK[name](PACKED[name]))
 
 
+def transforms(names: str, big: bool) -> tuple[bytes, list[motion.Transform]]:
+    """A message of other numbers each time, and what it contains."""
+    stamp = int(RNG.integers(-(2**31) * 10**9, 2**31 * 10**9))
+    made = [
+        motion.Transform(stamp + k, "world", n, *np.split(RNG.normal(size=7), [3]))
+        for k, n in enumerate(names)
+    ]
+    return _as_sent(motion.TF, motion.pack_transforms(made), big), made
+
+
+def joints(names: str, big: bool) -> tuple[bytes, motion.JointState]:
+    made = motion.JointState(int(RNG.integers(2**60)), tuple(names), RNG.normal(size=len(names)))
+    return _as_sent(motion.JOINTS, motion.pack_joints(made), big), made
+
+
+def _as_sent(name: str, data: bytes, big: bool) -> bytes:
+    store = typestore()
+    message = store.deserialize_cdr(data, name)
+    return bytes(store.serialize_cdr(message, name, little_endian=not big))
+
+
+@pytest.mark.parametrize("make", [transforms, joints])
+def test_messages_like_an_earlier_one_are_read_by_their_own_bytes(make) -> None:
+    """In turns: other numbers, other names of the same length, another byte order, other counts."""
+    for names, big in [("ab", False), ("ab", False), ("cb", False), ("ab", True)] * 2 + [
+        ("", False),
+        ("abc", False),
+        ("ab", True),
+        ("", False),
+    ]:
+        data, made = make(names, big)
+        found = UNPACK[motion.TF if make is transforms else motion.JOINTS](data)
+        assert repr(found) == repr(made)
+        arrays = [t.rotation for t in found] if make is transforms else [found.position]
+        assert all(a.flags.writeable for a in arrays)
+
+
 @pytest.mark.parametrize("name", PACKED)
 def test_a_shortened_message_is_an_error(name: str) -> None:
     data = PACKED[name]

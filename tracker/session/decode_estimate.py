@@ -29,7 +29,8 @@ class EstimateDecoder:
         self.topics = tuple(self._names)
         self.states_topic = name(info.side, "states")
         self._tracking = Tracking.TRACKING
-        self._states_of: dict[str, dict[str, str]] = {}
+        self._named = {"keypoints": self._keypoint_names, "joints": self._hand.joint_names}
+        self._states_of = {name: _states({}, rows) for name, rows in self._named.items()}
         self._joints: motion.JointState | None = None
         self._sd: Array | None = None
         self._segments: dict[int, list[motion.Transform]] = {}
@@ -58,8 +59,8 @@ class EstimateDecoder:
         for s in motion.unpack_diagnostics(data)[1]:
             if s.name == "tracking":
                 self._tracking = tracking_of(s.message)
-            else:
-                self._states_of[s.name] = s.values
+            elif s.name in self._named:
+                self._states_of[s.name] = _states(s.values, self._named[s.name])
 
     def _build(self, poses: motion.PoseArray) -> Estimate:
         n = len(self._keypoint_names)
@@ -76,10 +77,10 @@ class EstimateDecoder:
             self._tracking,
             keypoints,
             q,
-            _states(self._states_of.get("keypoints", {}), self._keypoint_names, known),
+            _or_lost(self._states_of["keypoints"], known),
             sd,
             angles,
-            _states(self._states_of.get("joints", {}), self._hand.joint_names, np.isfinite(angles)),
+            _or_lost(self._states_of["joints"], np.isfinite(angles)),
             R,
             p,
         )
@@ -103,11 +104,15 @@ class EstimateDecoder:
         return R, p
 
 
-def _states(names_of: dict[str, str], names: tuple[str, ...], known: np.ndarray) -> IntArray:
-    """Returns states by name; measured by default, lost where there is no value."""
+def _states(names_of: dict[str, str], names: tuple[str, ...]) -> IntArray:
+    """Returns states by name; measured by default, lost if the word is unknown."""
     stored = [names_of.get(n, "measured").upper() for n in names]
     values = [Validity[w] if w in Validity.__members__ else Validity.LOST for w in stored]
-    return np.where(known, np.array(values, np.int64), int(Validity.LOST)).astype(np.int64)
+    return np.array(values, np.int64)
+
+
+def _or_lost(states: IntArray, known: np.ndarray) -> IntArray:
+    return np.where(known, states, np.int64(Validity.LOST))
 
 
 def tracking_of(word: str) -> Tracking:

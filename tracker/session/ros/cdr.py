@@ -135,6 +135,11 @@ class CdrReader:
         self._at = 4
         self._u32, self._time, self._floats, self._longs = _LAYOUTS[data[1]]
 
+    @property
+    def at(self) -> int:
+        """Where the value that was read last ends."""
+        return self._at
+
     def _next(self, size: int, align: int = 1) -> int:
         """Where the next ``size`` bytes begin."""
         start = self._at + (4 - self._at) % align

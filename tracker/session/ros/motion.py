@@ -12,6 +12,7 @@ import numpy as np
 
 from tracker.messages import Array
 from tracker.session.ros.cdr import CdrReader, CdrWriter
+from tracker.session.ros.repeats import Layout, Layouts
 
 TF = "tf2_msgs/msg/TFMessage"
 POSES = "geometry_msgs/msg/PoseArray"
@@ -21,6 +22,7 @@ STRING = "std_msgs/msg/String"
 NUMBERS = "std_msgs/msg/Float64MultiArray"
 POSE_COVARIANCE = "geometry_msgs/msg/PoseWithCovarianceStamped"
 _NO_ROTATION = np.array([0.0, 0.0, 0.0, 1.0])
+_TRANSFORMS, _JOINTS = Layouts(), Layouts()
 
 
 class Transform(NamedTuple):
@@ -78,13 +80,27 @@ def pack_transforms(transforms: Sequence[Transform]) -> bytes:
 
 
 def unpack_transforms(data: bytes) -> list[Transform]:
+    known = _TRANSFORMS.find(data)
+    if known is None:
+        return _unpack_new_transforms(data)
+    (stamps, numbers), texts = known
+    rows = numbers.reshape(-1, 7)
+    columns = stamps, texts[::2], texts[1::2], rows[:, :3], rows[:, 3:]
+    return [Transform(*values) for values in zip(*columns, strict=True)]
+
+
+def _unpack_new_transforms(data: bytes) -> list[Transform]:
     source = CdrReader(data)
-    out = []
+    out, times, numbers = [], [], []
     for _ in range(source.count(56)):
-        stamp, frame = source.header()
-        child = source.text()
+        stamp = source.time()
+        times.append(source.at - 8)
+        frame, child = source.text(), source.text()
         values = source.doubles(7)
+        numbers += range(source.at - 56, source.at, 8)
         out.append(Transform(stamp, frame, child, values[:3], values[3:]))
+    texts = tuple(text for t in out for text in (t.frame, t.child))
+    _TRANSFORMS.remember(data, Layout(data, times, numbers, texts))
     return out
 
 
@@ -130,9 +146,18 @@ def pack_joints(m: JointState) -> bytes:
 
 
 def unpack_joints(data: bytes) -> JointState:
+    known = _JOINTS.find(data)
+    if known is not None:
+        ([stamp], numbers), names = known
+        return JointState(stamp, names, numbers)
     source = CdrReader(data)
-    stamp, _ = source.header()
-    return JointState(stamp, source.text_list(), source.double_list())
+    stamp = source.time()
+    time = source.at - 8
+    source.text()
+    names, position = tuple(source.text_list()), source.double_list()
+    numbers_at = range(source.at - 8 * len(position), source.at, 8)
+    _JOINTS.remember(data, Layout(data, [time], numbers_at, names))
+    return JointState(stamp, names, position)
 
 
 def pack_diagnostics(stamp: int, statuses: Sequence[Diagnostic]) -> bytes:
