@@ -91,7 +91,9 @@ def unpack_transforms(data: bytes) -> list[Transform]:
 
 def _unpack_new_transforms(data: bytes) -> list[Transform]:
     source = CdrReader(data)
-    out, times, numbers = [], [], []
+    out: list[Transform] = []
+    times: list[int] = []
+    numbers: list[int] = []
     for _ in range(source.count(56)):
         stamp = source.time()
         times.append(source.at - 8)
