@@ -26,6 +26,7 @@ from tracker.messages import (
     FrameResult,
     ImuSample,
     Search,
+    Tracking,
     WristPose,
 )
 from tracker.vision.sharing import share, taken_twice
@@ -117,6 +118,7 @@ class Hands:
         if self.alone:
             return {side: partial(p.feed_frame, frame) for side, p in self.pipelines.items()}
         self._restart_weaker()
+        self._share_names()
         shares = zip(self.pipelines, self._shares(frame), strict=True)
         return {side: partial(self._feed_share, side, own) for side, own in shares}
 
@@ -202,6 +204,19 @@ class Hands:
         if self._weaker:
             self.pipelines[self._weaker].set_state(self._fresh[self._weaker])
             self._last[self._weaker], self._weaker = None, ""
+
+    def _share_names(self) -> None:
+        """Corrected names of hues of a tracked hand are those of the other one while it is not
+        found: the same camera sees both."""
+        for own, other in (SIDES, tuple(reversed(SIDES))):
+            last, before = self._last[own], self._last[other]
+            one, another = self.pipelines[own], self.pipelines[other]
+            is_known = last is not None and last.tracking == Tracking.TRACKING
+            is_other = before is not None and before.tracking == Tracking.TRACKING
+            is_same = set(one.glove.hues) == set(another.glove.hues)
+            is_news = one.hues.is_corrected and not another.hues.is_corrected
+            if is_known and not is_other and is_same and is_news:
+                another.hues.use(one.hues.called(another.glove.hues))
 
     def get_state(self) -> PipelineSavedState | TwoHandsSavedState:
         """Returns the state that estimates depend on; that of the pipeline if there is one hand."""

@@ -13,14 +13,13 @@ import math
 
 from tracker.base.notices import Notice, Outbox, failure
 from tracker.engine.hands import Hands
-from tracker.engine.hue_watch import HueWatch
+from tracker.engine.hue_watch import ENOUGH, HueWatch, sees
 from tracker.engine.pipeline import Pipeline
 from tracker.glove.mirror import OTHER, mirrored_glove, mirrored_hand
 from tracker.glove.model import GloveModel
 from tracker.hand.names import SIDES
 from tracker.messages import BlobFrame, ImuSample, Tracking
 
-ENOUGH = 8  # blobs in each image, of a glove that is there to be found
 PATIENCE = 2.0  # s of search with as many, before the mirrored glove is tried
 TRIAL = 8.0  # s that it is tried for; again only after a hand was found meanwhile
 FOUND = 0.5  # s for which a hand has to be tracked to be the right one: wrong ones are lost sooner
@@ -39,14 +38,15 @@ class SideWatch:
         self._over = False
         self._sees_many = False
         self.notices = Outbox()
-        self._hues = HueWatch(pipeline)
+        self._hues = HueWatch({pipeline.glove.side: pipeline})
         self.is_other = False  # reported, and our hand was not found since
 
     def packet(self, sample: ImuSample, tracking: Tracking) -> None:
         """Takes a packet and the state of tracking after it."""
         step = 0.0 if self._last is None else min(max(sample.t - self._last, 0.0), 0.1)
         self._last = sample.t
-        self._hues.packet(sample, tracking, step, self._sees_many and not self.is_other)
+        self._hues.is_off = self.is_other
+        self._hues.packet(self._pipeline.glove.side, sample, tracking)
         if tracking in (Tracking.TRACKING, Tracking.COASTING):
             self._restart()
         elif self._trial is not None:
@@ -59,7 +59,7 @@ class SideWatch:
     def take_names(self) -> tuple[str, ...]:
         """Returns the right names of exchanged hues, once after they were found; the pipeline is to
         use them (`hue_names_event`)."""
-        return self._hues.take_names()
+        return self._hues.take_names().get(self._pipeline.glove.side, ())
 
     def frame(self, blobs: BlobFrame) -> None:
         """What was found in an image."""
@@ -89,12 +89,6 @@ def other_side(glove: GloveModel) -> Notice:
     return failure("glove.other_hand", other=OTHER[glove.side], glove=glove.name, side=glove.side)
 
 
-def sees(blobs: BlobFrame, least: int) -> bool:
-    """Returns whether each image has at least ``least`` blobs."""
-    counts = [len(b) for b in (blobs.left, blobs.right) if b is not None]
-    return bool(counts) and min(counts) >= least
-
-
 def _mirrored(pipeline: Pipeline) -> Pipeline:
     hand, glove = mirrored_hand(pipeline.hand), mirrored_glove(pipeline.glove)
     return Pipeline(hand, glove, pipeline.calibrated_rig, pipeline.settings)
@@ -103,7 +97,7 @@ def _mirrored(pipeline: Pipeline) -> Pipeline:
 class ExchangeWatch:
     """Detects that each of two gloves has the other one's files: neither hand is tracked, though
     one that hardly moves may have been found, and both are tracked when the packets of each glove
-    are used as the other's.
+    are used as the other's. Other names of the hues are tried too (`hue_watch`).
 
     It is fed with the input of ``hands`` and does nothing while they track a hand.
     """
@@ -117,14 +111,21 @@ class ExchangeWatch:
         self._since = self._sure_since = self._found_since = math.inf
         self._sees_many = self._over = False
         self.notices = Outbox()
+        self._hues = HueWatch(hands.pipelines)
+
+    def take_names(self) -> dict[str, tuple[str, ...]]:
+        """Returns the right names of exchanged hues by side, once after they were found."""
+        return self._hues.take_names()
 
     def packet(self, side: str, sample: ImuSample, tracking: Tracking) -> None:
         """Takes a packet of the glove used for ``side``, and that hand's state of tracking."""
         self._tracking[side] = tracking
+        self._hues.packet(side, sample, tracking)
         found = Tracking.TRACKING in self._tracking.values()
         self._found_since = min(self._found_since, sample.t) if found else math.inf
         if sample.t - self._found_since >= FOUND:
             self._trial, self._over, self._since = None, False, math.inf
+            self._hues.is_off = False
         elif self._trial is not None:
             self._try(self._trial, OTHER[side], sample)
         elif self._sees_many and not self._over:
@@ -137,6 +138,7 @@ class ExchangeWatch:
     def frame(self, blobs: BlobFrame) -> None:
         """What was found in an image."""
         self._sees_many = sees(blobs, 2 * ENOUGH)
+        self._hues.frame(blobs)
         if self._trial is not None:
             self._trial.feed_frame(blobs)
 
@@ -147,6 +149,7 @@ class ExchangeWatch:
         self._sure_since = min(self._sure_since, sample.t) if found else math.inf
         sure = sample.t - self._sure_since >= SURE
         if sure:
+            self._hues.is_off = True
             self.notices.post(failure("gloves.exchanged"))
         if sure or sample.t - self._since >= TRIAL:
             self._trial, self._over = None, True

@@ -183,14 +183,18 @@ class LiveLoop:
             self.journal.record(sample, side)
             estimate = self.hands.feed_imu(side, sample)
             hand.publish(estimate, sample.t_arrival)
+        found: Mapping[str, tuple[str, ...]] = {}  # names of hues, by side
         if hand.sides is not None:
             hand.sides.packet(sample, estimate.tracking)
-            if names := hand.sides.take_names():
-                hues = self.hands.pipelines[side].glove.hues
-                with self._pipeline_lock:
-                    self._request(hue_names_event(hues, names, self._order.mark()), side)
+            found = {side: names} if (names := hand.sides.take_names()) else {}
         if self._exchange is not None:
             self._exchange.packet(side, sample, estimate.tracking)
+            found = self._exchange.take_names()
+        for k, (of, names) in enumerate(found.items()):
+            hues = self.hands.pipelines[of].glove.hues
+            with self._pipeline_lock:
+                event = hue_names_event(hues, names, self._order.mark())
+                self._request(event, of, listed=k == 0)
         self.reference.put(Sided(sample, side))
         now = self.clock()
         hand.telemetry.took("imu", now - sample.t_arrival)

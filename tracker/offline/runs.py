@@ -11,8 +11,7 @@ import numpy as np
 
 from tracker.base.notices import plain
 from tracker.engine.hands import Hands, Sided
-from tracker.engine.pipeline import ABANDONED, Pipeline
-from tracker.engine.side_watch import SideWatch
+from tracker.engine.pipeline import Pipeline
 from tracker.fusion.chain.guided.events import guided_of
 from tracker.fusion.chain.pose_reset import is_reset
 from tracker.fusion.engine import Engine
@@ -30,9 +29,9 @@ from tracker.messages import (
     WristPose,
 )
 from tracker.offline.own_colours import OwnColours
+from tracker.offline.run_watch import RunWatch, run_watch
 from tracker.offline.track_report import Counter, StatusClock, TrackReport, TruthCheck
-from tracker.online.colour_watch import ColourWatch
-from tracker.online.hue_names import hue_names_event, hue_names_of
+from tracker.online.hue_names import hue_names_of
 from tracker.session.decode_sensors import Sensed
 from tracker.session.images import PackedFrame
 from tracker.session.mcap.input import RawMessage
@@ -237,41 +236,6 @@ class EventsOnly(NoOutput):
         self._output.write_event(event)
 
 
-class AloneWatch:
-    """What images reveal of a hand that is tracked alone: colours that do not fit, or a glove of
-    the other hand; a second hand's blobs would suggest both."""
-
-    def __init__(self, pipeline: Pipeline, corrects: bool) -> None:
-        """``corrects``: names of exchanged hues; those of a live run are among its events."""
-        self._pipeline, self._corrects = pipeline, corrects
-        self._sides = SideWatch(pipeline)
-        self._colours = ColourWatch(len(pipeline.glove.markers))
-
-    def restart(self, pipeline: Pipeline) -> None:
-        """Continues the hand from a recorded state, in another pipeline."""
-        self._pipeline, self._sides = pipeline, SideWatch(pipeline)
-
-    def packet(self, sample: ImuSample, tracking: Tracking) -> list[Event]:
-        """Take a packet and the state of tracking after it; what to report."""
-        self._sides.packet(sample, tracking)
-        names = self._sides.take_names()
-        if names and self._corrects:
-            event = hue_names_event(self._pipeline.glove.hues, names, sample.t)
-            self._pipeline.feed_event(event)
-            return [event]
-        return [Event.of(sample.t, "device", found) for found in self._sides.notices.drain()]
-
-    def frame(self, frame: BlobFrame) -> None:
-        """Take an image that was fed."""
-        self._sides.frame(frame)
-
-    def look(self, frame: BlobFrame, tracking: Tracking, results: list[FrameResult]) -> list[Event]:
-        """What to report of the colours after an image and the ``results`` that followed."""
-        self._colours.look(frame, tracking)
-        found = [ABANDONED for r in results if r.another] + self._colours.notices.drain()
-        return [Event.of(frame.t, "tracking", each) for each in found]
-
-
 class LiveRun:
     """The estimates of a live run of all hands, bit for bit.
 
@@ -297,10 +261,8 @@ class LiveRun:
         self._next_calibration = dict.fromkeys(outputs, -np.inf)
         self._has_camera_imu = False
         self._colours, self._tracking = colours, dict.fromkeys(outputs, Tracking.SEARCHING)
-        self._watch = self._alone_watch(main) if self._hands.alone else None
-
-    def _alone_watch(self, side: str) -> AloneWatch:
-        return AloneWatch(self._hands.pipelines[side], corrects=not self._changes)
+        self._corrects = not self._changes  # names of hues; those of a live run are events
+        self._watch: RunWatch = run_watch(self._hands, self._corrects)
 
     @property
     def engines(self) -> dict[str, Engine]:
@@ -340,9 +302,8 @@ class LiveRun:
     def _look(self, frame: BlobFrame) -> None:
         """Adapts the colours to an image; without a tracked hand no hand is in view."""
         results, output = [self._used(side) for side in self._outputs], self._outputs[self._main]
-        if self._watch is not None:
-            for event in self._watch.look(frame, self._tracking[self._main], results[0]):
-                output.write_event(event)
+        for event in self._watch.look(frame, self._tracking[self._main], results[0]):
+            output.write_event(event)
         if self._colours is not None:
             unknown = (Tracking.SEARCHING, Tracking.LOST)
             tracked = [t for t in self._tracking.values() if t not in unknown]
@@ -367,16 +328,14 @@ class LiveRun:
             output.rig(what, t)
             return
         self._hands = self._make(what.engine, self._rig)
-        if self._watch is not None:
-            self._watch.restart(self._hands.pipelines[self._main])
+        self._watch = run_watch(self._hands, self._corrects)
         require_match(what.state, self._hands.get_state(), what.engine)
         self._hands.set_state(what.state)
         output.state(what)
 
     def _feed_frame(self, frame: BlobFrame) -> None:
         self._hands.feed_frame(frame)
-        if self._watch is not None:
-            self._watch.frame(frame)
+        self._watch.frame(frame)
         for side, output in self._outputs.items():
             estimate = self._hands.pipelines[side].without_packets(frame)
             if estimate is not None:
@@ -390,9 +349,8 @@ class LiveRun:
         output.message(sample)
         estimate = self._hands.feed_imu(side, sample)
         output.source(sample.t, self._hands.pipelines[side])
-        if self._watch is not None:
-            for event in self._watch.packet(sample, estimate.tracking):
-                output.write_event(event)
+        for of, event in self._watch.packet(side, sample, estimate.tracking):
+            self._outputs[of].write_event(event)
         self._tracking[side] = estimate.tracking
         output.estimate(sample, estimate)
         if sample.t >= self._next_calibration[side]:

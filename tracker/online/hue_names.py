@@ -40,6 +40,11 @@ class HueNames:
         self.saved = HueNamesSavedState()
 
     @property
+    def is_corrected(self) -> bool:
+        """Whether names were corrected before."""
+        return bool(len(self.saved.order))
+
+    @property
     def as_found(self) -> tuple[str, ...]:
         """The name that blobs of each of the glove's hues have in the colours."""
         if not len(self.saved.order):

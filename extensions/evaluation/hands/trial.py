@@ -13,9 +13,11 @@ from extensions.evaluation.sessions import blobs_of, people_of
 from tracker.engine.hands import Hands
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
+from tracker.engine.side_watch import ExchangeWatch, SideWatch
 from tracker.glove import library
 from tracker.hand.names import MARKED_KEYPOINTS, SIDES
 from tracker.messages import Array, BlobFrame, Estimate, ImuSample, Tracking
+from tracker.online.hue_names import hue_names_event
 from tracker.simulation.scenario import Simulation, SimulationParams
 from tracker.simulation.two_hands import GlovedHand, TwoHandsSimulation
 
@@ -120,12 +122,21 @@ def _make(hand: Simulation, engine: str) -> Pipeline:
 
 def _together(sim: TwoHandsSimulation, engine: str, session: str) -> dict[str, list[Estimate]]:
     hands = Hands({side: partial(_make, hand, engine) for side, hand in sim.hands.items()})
+    watch = ExchangeWatch(hands) if session == "exchanged" else None
     out: dict[str, list[Estimate]] = {side: [] for side in SIDES}
     for side, message in sim.messages():
         if isinstance(message, BlobFrame):
-            hands.feed_frame(blobs_of(session, message))
+            frame = blobs_of(session, message)
+            hands.feed_frame(frame)
+            if watch is not None:
+                watch.frame(frame)
         elif isinstance(message, ImuSample):
             estimate = hands.feed_imu(side, message)
+            if watch is not None:
+                watch.packet(side, message, estimate.tracking)
+                for of, names in watch.take_names().items():
+                    own = hands.pipelines[of]
+                    own.feed_event(hue_names_event(own.glove.hues, names, message.t))
             if message.seq % EVERY == 0:
                 out[side].append(estimate)
     return out
@@ -134,11 +145,19 @@ def _together(sim: TwoHandsSimulation, engine: str, session: str) -> dict[str, l
 def _tracked_alone(hand: Simulation, engine: str, session: str) -> _TrialErrors:
     """Errors of a simulated hand without the other hand's blobs."""
     pipeline, out = _make(hand, engine), []
+    watch = SideWatch(pipeline) if session == "exchanged" else None
     for message in hand.feed():
         if isinstance(message, BlobFrame):
-            pipeline.feed_frame(blobs_of(session, message))
+            frame = blobs_of(session, message)
+            pipeline.feed_frame(frame)
+            if watch is not None:
+                watch.frame(frame)
         elif isinstance(message, ImuSample):
             estimate = pipeline.feed_imu(message)
+            if watch is not None:
+                watch.packet(message, estimate.tracking)
+                if names := watch.take_names():
+                    pipeline.feed_event(hue_names_event(hand.glove.hues, names, message.t))
             if message.seq % EVERY == 0:
                 out.append(estimate)
     return _shown(hand, out)

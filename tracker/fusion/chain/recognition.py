@@ -104,6 +104,7 @@ FOLLOWED_PX = 4.0  # median residual of one camera's blobs
 EXPLAINED_SHARE = 0.4  # of one camera's blobs matched, for a measured hand
 STRANGE_PX = 5.0  # the same for the blobs of two cameras
 STRANGE_SHARE = 0.2  # ratio of unmatched blobs on a hand to matched ones
+STRANGE_START = 0.25  # the same, above which a hand that was just found is not measured
 UNMATCHED = -2  # owner of a blob without a marker
 FEW_SHARE = 0.8  # of the expected markers, below which hues may be exchanged
 VISIBLE = 0.5  # prior of a marker at which a blob of any hue is looked for
@@ -287,8 +288,9 @@ class Recognition:
 
     def is_likely(self, image: SeenImage, found: Recognised, seen: Evidence, is_sure: bool) -> bool:
         """Whether an image supports the hand well enough for the state MEASURED; ``is_sure``:
-        whether it has that state already. With two cameras, only a share of the markers is
-        required.
+        whether it has that state already. With two cameras, a share of the markers is required;
+        and until the hand is sure, few other blobs on it, as a wrong hand at the blobs of another
+        one has.
 
         One camera measures distance by the spacing of markers, given posture and size: while these
         are wrong, the errors of distance and its rate exceed the covariance, so its residuals must
@@ -296,7 +298,8 @@ class Recognition:
         than a start requires, is a chance match.
         """
         if not image.is_mono:
-            return seen.is_likely
+            own = is_sure or self._strangers(image, found) <= STRANGE_START
+            return seen.is_likely and own
         explains = is_sure or seen.matched >= EXPLAINED_SHARE * image.most_blobs or seen.is_start
         return seen.is_likely and explains and found.misfit_px(image) <= FOLLOWED_PX
 
