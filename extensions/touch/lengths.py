@@ -23,6 +23,7 @@ from extensions.touch.track import TipTrack
 from tracker.messages import Array, IntArray
 
 PAD = 0.006  # m from the tip to the middle of the pad
+SAME_CROSS = 1e-3  # m, at most between two touches of one cross
 APART = 0.3  # s between two pinches at least
 OPENED = 0.015  # m by which the fingers open between two pinches at least
 SMOOTH = 5  # estimates, median
@@ -44,22 +45,20 @@ def ruler_test(
     """Lengths between crosses that one finger touched; None with fewer than two. Intervals by
     bootstrap over touches, since lengths that share one depend on each other."""
     pairs = [_lengths(some, pulps[finger]) for finger, some in touches.items()]
-    every = [np.arange(len(found)) for found, _ in pairs]
-    if _length_rows(pairs, every).shape[0] < 2:
+    rows = _length_rows(pairs)
+    if rows.shape[0] < 2:
         return None
     rng = np.random.default_rng(SEED)
-    drawn = []
-    for _ in range(RESAMPLES):
-        rows = _length_rows(pairs, [rng.integers(0, len(e), len(e)) for e in every])
-        if len(rows) > 1:
-            drawn.append(_error_and_scale(rows))
+    counts = [len(found) for found, _ in pairs]
+    picks = [[rng.integers(0, n, n) for n in counts] for _ in range(RESAMPLES)]
+    drawn = _resampled(pairs, [np.array(of_finger) for of_finger in zip(*picks, strict=True)])
     low, high = np.percentile(drawn, [50 - 50 * LEVEL, 50 + 50 * LEVEL], axis=0)
-    rows = _length_rows(pairs, every)
-    error, scale = _error_and_scale(rows)
+    found, known = rows.T
+    scale = float(found @ known / (known @ known))
     return Lengths(
         len(rows),
-        ConfidenceInterval(error, float(low[0]), float(high[0])),
-        float(np.std(rows[:, 0] - rows[:, 1], ddof=1)),
+        ConfidenceInterval(float(np.mean(found - known)), float(low[0]), float(high[0])),
+        float(np.std(found - known, ddof=1)),
         ConfidenceInterval(scale, float(low[1]), float(high[1])),
     )
 
@@ -72,21 +71,28 @@ def _lengths(touches: Sequence[CrossTouch], pulp: Pulp) -> tuple[Array, Array]:
     return found, known
 
 
-def _length_rows(pairs: Sequence[tuple[Array, Array]], picks: Sequence[IntArray]) -> Array:
-    """(m, 2) m: found and known length of each pair of picked touches on different crosses."""
+def _length_rows(pairs: Sequence[tuple[Array, Array]]) -> Array:
+    """(m, 2) m: found and known length of each pair of touches on different crosses."""
     out = []
-    for (found, known), pick in zip(pairs, picks, strict=True):
-        i, j = np.triu_indices(len(pick), 1)
-        i, j = pick[i], pick[j]
-        apart = known[i, j] > 1e-3
-        out.append(np.column_stack([found[i, j], known[i, j]])[apart])
+    for found, known in pairs:
+        i, j = np.triu_indices(len(found), 1)
+        out.append(np.column_stack([found[i, j], known[i, j]])[known[i, j] > SAME_CROSS])
     return np.concatenate(out)
 
 
-def _error_and_scale(rows: Array) -> tuple[float, float]:
-    """Mean error m, and the factor of the known lengths by least squares."""
-    found, known = rows.T
-    return float(np.mean(found - known)), float(found @ known / (known @ known))
+def _resampled(pairs: Sequence[tuple[Array, Array]], picks: Sequence[IntArray]) -> Array:
+    """(k, 2): mean error m, and the factor of the known lengths by least squares, of resamples with
+    at least two lengths; ``picks`` (resamples, n) of each finger's touches."""
+    sums = np.zeros((4, len(picks[0])))
+    for (found, known), pick in zip(pairs, picks, strict=True):
+        i, j = np.triu_indices(pick.shape[1], 1)
+        at = pick[:, i], pick[:, j]
+        f, g = found[at], known[at]
+        apart = g > SAME_CROSS
+        f, g = f * apart, g * apart
+        sums += [apart.sum(axis=1), (f - g).sum(axis=1), (f * g).sum(axis=1), (g * g).sum(axis=1)]
+    count, error, product, square = sums[:, sums[0] > 1]
+    return np.column_stack([error / count, product / square])
 
 
 def return_test(

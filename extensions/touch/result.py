@@ -195,12 +195,14 @@ def _offset_cov(touches: Sequence[CrossTouch], pulp: Pulp) -> Array:
     return R @ np.diag(pulp.held.offset_sd**2) @ R.T
 
 
-def _norm_of_mean(error: Array) -> float:
-    return float(np.linalg.norm(error.mean(axis=0)))
+def _norm_of_mean(error: Array) -> Array:
+    """(k,) of k samples (k, n, m)."""
+    return np.asarray(np.linalg.norm(error.mean(axis=1), axis=-1))
 
 
-def _p95(length: Array) -> float:
-    return float(np.percentile(length, 95))
+def _p95(length: Array) -> Array:
+    """(k,) of k samples (k, n)."""
+    return np.asarray(np.percentile(length, 95, axis=1))
 
 
 def _pooled_sd(fingers: Sequence[FingerResult]) -> ConfidenceInterval:

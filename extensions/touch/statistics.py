@@ -55,13 +55,14 @@ def share_interval(count: int, n: int) -> ConfidenceInterval:
     return ConfidenceInterval(share, float(middle - half), float(middle + half))
 
 
-def bootstrap(values: Array, figure: Callable[[Array], float]) -> ConfidenceInterval:
-    """For any figure of independent rows (n, …), by percentiles of resamples from a fixed seed."""
+def bootstrap(values: Array, figure: Callable[[Array], Array]) -> ConfidenceInterval:
+    """For any figure of independent rows (n, …), by percentiles of resamples from a fixed seed.
+
+    ``figure`` computes (k,) from k samples (k, n, …)."""
     rng = np.random.default_rng(SEED)
     picks = rng.integers(0, len(values), (RESAMPLES, len(values)))
-    drawn = np.array([figure(values[p]) for p in picks])
-    low, high = np.percentile(drawn, [50 - 50 * LEVEL, 50 + 50 * LEVEL])
-    return ConfidenceInterval(figure(values), float(low), float(high))
+    low, high = np.percentile(figure(values[picks]), [50 - 50 * LEVEL, 50 + 50 * LEVEL])
+    return ConfidenceInterval(float(figure(values[None])[0]), float(low), float(high))
 
 
 def slope(x: Array, y: Array) -> ConfidenceInterval:

@@ -62,7 +62,9 @@ class BoardRenderer:
             inked, *(SQUARE_PX,) * 4, cv2.BORDER_CONSTANT, value=float(PAPER)
         )
         self._sheet = np.asarray(sheet, np.float32)
-        self._rays = [_rays(c) for c in (rig.left, rig.right) if c is not None]
+        left, right = _rays(rig.left), rig.right
+        is_same = right is not None and _same_lens(rig.left, right)
+        self._rays = [left, left if right is None or is_same else _rays(right)]
 
     def pair(self, pose: BoardPose, rng: np.random.Generator) -> tuple[Image, Image | None]:
         """BGR images (h, w, 3) of both cameras, or of the only one."""
@@ -102,6 +104,11 @@ class BoardRenderer:
         if texels < 1.0:
             return self._sheet
         return np.asarray(cv2.GaussianBlur(self._sheet, (0, 0), 0.45 * texels), np.float32)
+
+
+def _same_lens(a: Intrinsics, b: Intrinsics) -> bool:
+    sizes = (a.width, a.height, a.fisheye) == (b.width, b.height, b.fisheye)
+    return sizes and np.array_equal(a.K, b.K) and np.array_equal(a.D, b.D)
 
 
 def _rays(camera: Intrinsics) -> NDArray[np.float32]:

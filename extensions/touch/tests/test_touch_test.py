@@ -235,6 +235,6 @@ def test_statistics_against_tables() -> None:
     assert (low.value, high.value) == pytest.approx((-78.1, 73.9), abs=0.1)
     assert low.high - low.value == pytest.approx(2.12 * np.sqrt(3 / 17) * 38.8, abs=0.1)
     values = np.random.default_rng(3).normal(1.0, 2.0, 200)
-    found = bootstrap(values, lambda v: float(np.mean(v)))
+    found = bootstrap(values, lambda v: np.mean(v, axis=1))
     half = 1.96 * values.std() / np.sqrt(200)
     assert found.high - found.value == pytest.approx(half, rel=0.15)
