@@ -4,6 +4,7 @@ import functools
 import gc
 import os
 import tempfile
+from contextlib import nullcontext
 from pathlib import Path
 
 import pytest
@@ -19,6 +20,7 @@ from tests import kernel_twins  # before the kernels
 from tests.live_recordings import LiveRecordings
 from tests.simulated_sessions import SimulatedSessions
 from tests.streaming.recorded_hand import RecordedHand
+from tests.workers_here import WorkersHere
 from tracker.glove.files import load_glove
 from tracker.glove.model import GloveModel
 from tracker.hand.files import load_hand
@@ -67,6 +69,13 @@ def pytest_collection_finish() -> None:
 def compare_large(monkeypatch: pytest.MonkeyPatch) -> None:
     """Kernels are compared with their twins however large their arrays."""
     monkeypatch.setattr(kernel_twins.TWINS, "most", 50_000_000)
+
+
+@pytest.fixture
+def workers_here(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A command does its tasks in this process: each other one takes a second or two to start.
+    `tests/offline/test_batch.py` and others run the same tasks in processes."""
+    monkeypatch.setattr("tracker.base.workers.local_workers", lambda _: nullcontext(WorkersHere()))
 
 
 @pytest.fixture(scope="session")

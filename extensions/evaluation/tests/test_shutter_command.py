@@ -39,6 +39,7 @@ def test_a_known_line_time_removes_most_of_the_error_of_a_fast_hand() -> None:
     assert known.error_mm < at_once.error_mm + 0.3 * (unknown.error_mm - at_once.error_mm)
 
 
+@pytest.mark.usefixtures("workers_here")
 def test_a_short_run_of_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = tmp_path / "rows.json"
     words = ["--participants", "1", "--seconds", "5", "--fps", "30", "--speeds", "1"]
