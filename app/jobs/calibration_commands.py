@@ -8,7 +8,7 @@ from functools import partial
 from PySide6.QtCore import QObject, Signal
 
 from app.engines.engine import EngineSetup
-from app.engines.engine_host import EngineHost
+from app.engines.host_parts import EngineCommands
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 from tracker.fusion.chain.calibration.control import renewed
@@ -28,11 +28,11 @@ def learning_part(engine: Engine) -> LearnsWearer:
 
 
 class CalibrationCommands(QObject):
-    """Commands to the engine of a `EngineHost`."""
+    """Commands to the engine of a `EngineCommands`."""
 
     learned = Signal(object)  # WearerFile, after `ask`
 
-    def __init__(self, host: EngineHost, parent: QObject | None = None) -> None:
+    def __init__(self, host: EngineCommands, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._host = host
 

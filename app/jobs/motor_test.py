@@ -8,7 +8,7 @@ import numpy as np
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from app.engines.engine import EngineSetup
-from app.engines.engine_host import EngineHost
+from app.engines.host_parts import CurrentEngine
 from app.jobs.own_gloves import own_vibration, save_own
 from app.storage.settings import SettingsStore
 from app.viewmodels.names import spoken
@@ -33,7 +33,7 @@ class MotorTest(QObject):
 
     measured = Signal(str)
 
-    def __init__(self, host: EngineHost, store: SettingsStore, parent: QObject) -> None:
+    def __init__(self, host: CurrentEngine, store: SettingsStore, parent: QObject) -> None:
         super().__init__(parent)
         self._host, self._store = host, store
         self._timer = QTimer(self)

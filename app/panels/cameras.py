@@ -9,7 +9,7 @@ from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QSplitter, QToolButton, QVBoxLayout, QWidget
 
 from app.engines.engine import EngineSetup
-from app.engines.engine_host import EngineHost
+from app.engines.host_parts import HandChanges
 from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
 from app.storage.image_folder import Image
@@ -32,8 +32,8 @@ class CamerasPanel(Panel):
     period = 1 / 60
     set_up_asked = Signal()
 
-    def __init__(self, host: EngineHost, parent: QWidget | None = None) -> None:
-        super().__init__(host, parent)
+    def __init__(self, host: HandChanges, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
         self._waiting = self.tr("No image yet")
         self.left = ImageView(self.tr("Left"), self._waiting)
         self.right = ImageView(self.tr("Right"), self._waiting)

@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt, Signal, SignalInstance
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
-from app.engines.engine_host import EngineHost
+from app.engines.host_parts import HandSwitch
 from app.engines.snapshot import Snapshot
 from app.panels.hand_choice import HandChoice
 from app.panels.panel import Panel
@@ -27,9 +27,10 @@ class ChecklistPanel(Panel):
     action = Signal(str)
 
     def __init__(
-        self, host: EngineHost, store: SettingsStore, parent: QWidget | None = None
+        self, host: HandSwitch, store: SettingsStore, parent: QWidget | None = None
     ) -> None:
-        super().__init__(host, parent)
+        super().__init__(parent)
+        self.host = host
         self._store = store
         self._rows: list[_Row] = []
         self.light, self._settled = LightWatch(), SettledSteps()

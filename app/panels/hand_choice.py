@@ -8,7 +8,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from app.engines.engine import EngineSetup
-from app.engines.engine_host import EngineHost
+from app.engines.host_parts import HandSwitch
 from app.widgets.segments import Segments
 
 
@@ -18,7 +18,7 @@ class HandChoice(QWidget):
     All single-hand panels show the same hand, so that they are consistent.
     """
 
-    def __init__(self, host: EngineHost, parent: QWidget | None = None) -> None:
+    def __init__(self, host: HandSwitch, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         titles = {"left": self.tr("Left hand"), "right": self.tr("Right hand")}
         self.actions_of = {side: QAction(title, self) for side, title in titles.items()}
@@ -34,7 +34,7 @@ class HandChoice(QWidget):
         host.hand_changed.connect(self._show)
         host.closed.connect(self.hide)
 
-    def _choose(self, host: EngineHost, side: str, _checked: bool = False) -> None:
+    def _choose(self, host: HandSwitch, side: str, _checked: bool = False) -> None:
         self.actions_of[side].setChecked(True)  # clicking the checked button leaves it checked
         host.show_hand(side)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+from typing import Protocol
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QGuiApplication
@@ -17,7 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.engines.engine_host import EngineHost
+from app.engines.host_parts import ErrorSignal, EventSignal
 from app.panels.panel import Panel
 from app.viewmodels.log import KINDS, EventLog, words_of
 from app.widgets.measures import NEAR
@@ -27,12 +28,16 @@ from tracker.messages import Event
 _log = logging.getLogger(__name__)
 
 
+class LogHost(ErrorSignal, EventSignal, Protocol):
+    """What the log shows of the engine host."""
+
+
 class LogPanel(Panel):
     period = 1.0
     report = Signal()  # the user wants a bug report
 
-    def __init__(self, host: EngineHost, parent: QWidget | None = None) -> None:
-        super().__init__(host, parent)
+    def __init__(self, host: LogHost, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
         self.model = EventLog()
         self.kind = QComboBox()
         self.kind.addItem(self.tr("Everything"), "")

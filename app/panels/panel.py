@@ -6,7 +6,6 @@ from typing import Protocol
 
 from PySide6.QtWidgets import QLabel, QWidget
 
-from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from tracker.messages import Shed
 
@@ -37,10 +36,6 @@ class Panel(QWidget):
     name = ""
     period = 1 / 30
     spared_at: Shed | None = None  # overload level from which on it is refreshed less often
-
-    def __init__(self, host: EngineHost, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.host = host
 
     @property
     def works_unseen(self) -> bool:

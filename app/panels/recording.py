@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from pathlib import Path
+from typing import Protocol
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent
@@ -24,7 +25,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.engines.engine_host import EngineHost
+from app.engines.host_parts import EngineChanges, ErrorSignal, NotesPart, RecordingPart, RunState
 from app.engines.notes import Notes
 from app.engines.recording import Recording
 from app.engines.snapshot import Snapshot
@@ -101,17 +102,22 @@ class NoteList(QTableWidget):
             self.removed.emit(self.tr("The note “{}” was deleted.").format(text), undo)
 
 
+class RecordingHost(EngineChanges, ErrorSignal, NotesPart, RecordingPart, RunState, Protocol):
+    """What the panel uses of the engine host."""
+
+
 class RecordingPanel(Panel):
     period = 0.5
 
     def __init__(
         self,
-        host: EngineHost,
+        host: RecordingHost,
         plan: RecordingPlan,
         key: RecordKey,
         parent: QWidget | None = None,
     ) -> None:
-        super().__init__(host, parent)
+        super().__init__(parent)
+        self.host = host
         self._plan, self._key = plan, key
         self._rate, self._messages = RateMeter(), RateMeter()
         column = QVBoxLayout(self)

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.engines.engine import EngineSetup
-from app.engines.engine_host import EngineHost
+from app.engines.host_parts import HandSwitch
 from app.engines.snapshot import Snapshot
 from app.panels.graphs.looks import COLOURS, curve_looks
 from app.panels.hand_choice import HandChoice
@@ -44,9 +44,10 @@ class SensorsPanel(Panel):
     period = 1 / 20
 
     def __init__(
-        self, host: EngineHost, store: SettingsStore, parent: QWidget | None = None
+        self, host: HandSwitch, store: SettingsStore, parent: QWidget | None = None
     ) -> None:
-        super().__init__(host, parent)
+        super().__init__(parent)
+        self.host = host
         self._store = store
         self.chips: list[Chip] = []
         self.toggles: list[QCheckBox] = []

@@ -6,7 +6,7 @@ from dataclasses import replace
 from functools import partial
 from html import escape
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
@@ -27,7 +27,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.engines.engine_host import EngineHost
+from app.engines.host_parts import ErrorSignal, RunState
 from app.engines.snapshot import Snapshot
 from app.jobs.outputs import Outputs
 from app.jobs.remote import RemoteControl
@@ -88,17 +88,22 @@ class RecordFile(QPushButton):
         self.setToolTip(self.tr("{}; a number is added if the file exists").format(path))
 
 
+class StreamsHost(ErrorSignal, RunState, Protocol):
+    """What the panel uses of the engine host."""
+
+
 class StreamsPanel(Panel):
     period = 0.5
 
     def __init__(
         self,
-        host: EngineHost,
+        host: StreamsHost,
         outputs: Outputs,
         remote: RemoteControl,
         parent: QWidget | None = None,
     ) -> None:
-        super().__init__(host, parent)
+        super().__init__(parent)
+        self.host = host
         self._outputs = outputs
         self.remote = RemoteBox(remote)
         inside = QWidget()

@@ -1,5 +1,7 @@
 """Panels and commands that packages add to the window."""
 
+import inspect
+import sys
 from importlib.metadata import EntryPoint
 
 import pytest
@@ -31,9 +33,9 @@ def count(on: CommandContext) -> None:
     raise ValueError(f"{len(on.recordings)} of 0")
 
 
-PLAIN = PanelKind("plain", "Plain", lambda s: Plain(s.host), {"watch": Spot("right", 0)})
+PLAIN = PanelKind("plain", "Plain", lambda s: Plain(), {"watch": Spot("right", 0)})
 BROKEN = PanelKind("broken", "Broken", fail, extra="glovetrack[robot]")
-SAME_KEY = PanelKind("same-key", "Same key", lambda s: Plain(s.host), number=1)
+SAME_KEY = PanelKind("same-key", "Same key", lambda s: Plain(), number=1)
 GREET = WindowCommand("greet", "&Greet…", run, after="note", shortcut="Ctrl+Alt+G")
 NEVER = WindowCommand("never", "Never", run, enabled=lambda _on: False)
 COUNT = WindowCommand("count", "Count", count, on_recordings=True)
@@ -106,3 +108,17 @@ def test_a_command_on_recordings_that_fails_is_reported(window, tmp_path):
     assert sorted(added) == ["count", "reference_accuracy_of", "report"]
     window.library._actions["count"].run([tmp_path / "a.mcap", tmp_path / "b.mcap"])
     assert window.log.model.ends_with("Count failed: 2 of 0.")
+
+
+def test_panels_receive_the_parts_of_the_host_that_they_use(window) -> None:
+    used = {}
+    for name, panel in window.panels.items():
+        parameters = inspect.signature(type(panel).__init__).parameters
+        if "host" in parameters:
+            part = getattr(sys.modules[type(panel).__module__], parameters["host"].annotation)
+            assert getattr(part, "_is_protocol", False), name
+            used[name] = {m for kind in part.__mro__ for m in vars(kind) if m[0] != "_"}
+    assert len(used) >= 13
+    assert used["cameras"] == {"opened", "closed", "hand_changed"}
+    assert used["log"] == {"error", "happened"}
+    assert not [name for name, members in used.items() if {"open", "adopt", "stop"} & members]

@@ -23,9 +23,9 @@ TICK = 0.005
 class Counting(Panel):
     period = 0.05
 
-    def __init__(self, host: EngineHost, name: str, spared_at: Shed | None) -> None:
+    def __init__(self, name: str, spared_at: Shed | None) -> None:
         self.name, self.spared_at = name, spared_at
-        super().__init__(host)
+        super().__init__()
         self.times = 0
 
     def refresh(self, view: Snapshot | None) -> None:
@@ -45,7 +45,7 @@ def refreshed(host: EngineHost, qtbot, shed: float) -> tuple[int, int]:
     engine = ScriptedEngine()
     engine.values["load_shed"] = shed
     host.adopt(scripted_setup(engine))
-    panels = [Counting(host, "spared", Shed.VIEW_RATE), Counting(host, "other", None)]
+    panels = [Counting("spared", Shed.VIEW_RATE), Counting("other", None)]
     for panel in panels:
         qtbot.addWidget(panel)
         panel.resize(50, 50)
@@ -70,7 +70,7 @@ def test_only_low_priority_panels_are_delayed_on_an_overloaded_computer(host, qt
 def test_panels_and_images_give_way_to_a_device_that_follows_the_hand(host, qtbot, monkeypatch):
     given: list[str] = []
     monkeypatch.setattr(PAINTING, "to", SimpleNamespace(give=lambda: given.append("way")))
-    panel = Counting(host, "one", None)
+    panel = Counting("one", None)
     qtbot.addWidget(panel)
     panel.show()
     host.adopt(scripted_setup(ScriptedEngine()))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Protocol
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QPainter
@@ -22,9 +23,9 @@ from PySide6.QtWidgets import (
 )
 
 from app.engines.engine import EngineSetup
-from app.engines.engine_host import EngineHost
+from app.engines.host_parts import HandSwitch, RunState
 from app.engines.snapshot import Snapshot
-from app.panels.calibration.profiles import WearerProfiles
+from app.panels.calibration.profiles import WearerHost, WearerProfiles
 from app.panels.calibration.wearer_row import WearerRow
 from app.panels.hand_choice import HandChoice
 from app.panels.panel import Panel
@@ -122,14 +123,19 @@ def _show_cell(item: QTableWidgetItem, cell: CalibrationCell) -> None:
     item.setData(SHARE_ROLE, round(cell.convergence, 2))  # a pixel of the bar
 
 
+class CalibrationHost(WearerHost, HandSwitch, RunState, Protocol):
+    """What the panel uses of the engine host."""
+
+
 class CalibrationPanel(Panel):
     period = 0.5
     guided_asked = Signal()
 
     def __init__(
-        self, host: EngineHost, store: SettingsStore, parent: QWidget | None = None
+        self, host: CalibrationHost, store: SettingsStore, parent: QWidget | None = None
     ) -> None:
-        super().__init__(host, parent)
+        super().__init__(parent)
+        self.host = host
         self._drawn_frozen = False
         self._alone = False  # one camera shows the hand
         self._make_widgets()

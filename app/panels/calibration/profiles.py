@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
-from typing import TypeVar
+from typing import Protocol, TypeVar
 
 from PySide6.QtCore import QObject, Signal
 
 from app.engines.engine import EngineSetup
-from app.engines.engine_host import EngineHost
+from app.engines.host_parts import EngineChoice, EngineCommands, ErrorSignal
 from app.jobs.calibration_commands import CalibrationCommands
 from app.panels.calibration.wearer_row import WearerRow
 from app.storage.removed_file import RemovedFile
@@ -24,13 +24,17 @@ from tracker.engine.kinds import learns_wearer
 R = TypeVar("R")
 
 
+class WearerHost(EngineChoice, EngineCommands, ErrorSignal, Protocol):
+    """What the profiles use of the engine host."""
+
+
 class WearerProfiles(QObject):
     """Does what ``row`` requests and shows the wearer in it. ``kept``: the last fit has changed."""
 
     kept = Signal()
     removed = Signal(str, object)  # a message, and a function that undoes the removal
 
-    def __init__(self, host: EngineHost, store: SettingsStore, row: WearerRow) -> None:
+    def __init__(self, host: WearerHost, store: SettingsStore, row: WearerRow) -> None:
         super().__init__(row)
         self._host, self._store, self._row = host, store, row
         self._first: Path | None = None

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Protocol
+
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QBoxLayout, QHBoxLayout, QVBoxLayout, QWidget
 
 from app.engines.engine import EngineSetup
-from app.engines.engine_host import EngineHost
+from app.engines.host_parts import ColourUse, CurrentEngine, EngineChanges, ErrorSignal
 from app.engines.snapshot import Snapshot
 from app.panels.colours.fitting import ColoursFitting, ColoursLight
 from app.panels.colours.image import ColoursImage
@@ -46,6 +48,10 @@ class TwoHalves(QWidget):
         self._halves.setDirection(direction.LeftToRight if wide else direction.TopToBottom)
 
 
+class ColoursHost(ColourUse, CurrentEngine, EngineChanges, ErrorSignal, Protocol):
+    """What the panel uses of the engine host."""
+
+
 class ColoursPanel(Panel):
     """Connects `ColourTuning`, which contains the state, with widgets, files and the engine."""
 
@@ -53,12 +59,13 @@ class ColoursPanel(Panel):
 
     def __init__(
         self,
-        host: EngineHost,
+        host: ColoursHost,
         store: SettingsStore,
         tasks: TaskOwner,
         parent: QWidget | None = None,
     ) -> None:
-        super().__init__(host, parent)
+        super().__init__(parent)
+        self.host = host
         self._folder = store.path.parent
         self.keeper = ColourAutosave(ColourStore(self._folder / "colours"), self)
         self.tuning: ColourTuning | None = None

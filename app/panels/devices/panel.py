@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Protocol
 
 from PySide6.QtWidgets import (
     QFileDialog,
@@ -13,7 +14,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.engines.engine_host import EngineHost
+from app.engines.host_parts import CurrentEngine, EngineChanges
 from app.engines.snapshot import Snapshot
 from app.jobs.device_changes import apply_changes, read_settings, save_settings
 from app.jobs.motor_test import MotorTest
@@ -38,15 +39,20 @@ from tracker.base.errors import GlovetrackError
 REPORT_HEIGHT = 90  # px
 
 
+class DevicesHost(CurrentEngine, EngineChanges, Protocol):
+    """What the panel uses of the engine host."""
+
+
 class DevicesPanel(Panel):
     """Shows values that the engine already has; no device is queried."""
 
     period = 0.5
 
     def __init__(
-        self, host: EngineHost, store: SettingsStore, parent: QWidget | None = None
+        self, host: DevicesHost, store: SettingsStore, parent: QWidget | None = None
     ) -> None:
-        super().__init__(host, parent)
+        super().__init__(parent)
+        self.host = host
         self._store = store
         self.motors = MotorTest(host, store, self)
         self.values: dict[str, DeviceValue] = {}

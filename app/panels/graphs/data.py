@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import Protocol
 
 from PySide6.QtCore import QObject, Signal
 
 from app.engines.engine import EngineSetup
-from app.engines.engine_host import EngineHost
+from app.engines.host_parts import HandChanges, Snapshots
 from app.engines.snapshot import Snapshot
 from app.jobs.recording_curves import read_signals
 from app.platform.tasks import LatestJob
@@ -19,6 +20,10 @@ from app.viewmodels.signals import signals
 STATUS_EVERY = 20  # refreshes between two checks for new status values
 
 
+class GraphsHost(HandChanges, Snapshots, Protocol):
+    """What the graphs use of the engine host."""
+
+
 class SignalData(QObject):
     """``listed``: the set of signals has changed. ``opened``: it belongs to another engine.
     ``message``: progress or failure of reading a recording; empty to clear it."""
@@ -27,7 +32,7 @@ class SignalData(QObject):
     opened = Signal()
     message = Signal(str)
 
-    def __init__(self, host: EngineHost, parent: QObject | None = None) -> None:
+    def __init__(self, host: GraphsHost, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._host = host
         self.signals: dict[str, Figure] = {}

@@ -16,9 +16,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
-from app.panels.graphs.data import SignalData
+from app.panels.graphs.data import GraphsHost, SignalData
 from app.panels.graphs.stack import GraphStack
 from app.panels.graphs.tree import SignalTree
 from app.panels.panel import MessageLabel, Panel, PanelColours
@@ -94,9 +93,10 @@ class GraphsPanel(Panel):
     period = 1 / 20
 
     def __init__(
-        self, host: EngineHost, store: SettingsStore, parent: QWidget | None = None
+        self, host: GraphsHost, store: SettingsStore, parent: QWidget | None = None
     ) -> None:
-        super().__init__(host, parent)
+        super().__init__(parent)
+        self.host = host
         self._store = store
         self.data = SignalData(host, self)
         self.tree, self.stack = SignalTree(), GraphStack()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Protocol
 
 import numpy as np
 from PySide6.QtCore import QElapsedTimer, Qt
@@ -10,7 +11,7 @@ from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from app.engines.engine import EngineSetup
-from app.engines.engine_host import EngineHost
+from app.engines.host_parts import CurrentEngine, ErrorSignal, HandChanges
 from app.engines.snapshot import Snapshot
 from app.panels.hand.bodies import HandBodies
 from app.panels.hand.controls import HandControls, ViewChooser
@@ -91,18 +92,23 @@ class HandInScene:
         return labels
 
 
+class HandHost(CurrentEngine, ErrorSignal, HandChanges, Protocol):
+    """What the panel uses of the engine host."""
+
+
 class HandPanel(Panel):
     period = 1 / 30
     spared_at = Shed.VIEW_RATE
 
     def __init__(
         self,
-        host: EngineHost,
+        host: HandHost,
         store: SettingsStore,
         tasks: TaskOwner,
         parent: QWidget | None = None,
     ) -> None:
-        super().__init__(host, parent)
+        super().__init__(parent)
+        self.host = host
         self.view = View3D()
         self.chooser = ViewChooser(self.view, store, tasks, self)
         self.chooser.refused.connect(host.error)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Protocol
 
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QGuiApplication
@@ -18,7 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.engines.engine_host import EngineHost
+from app.engines.host_parts import ErrorSignal, RunState
 from app.engines.protocols import Player
 from app.jobs.offline_tracking import compare_job, free_name, track_job
 from app.jobs.recording_curves import two_recordings_job
@@ -92,6 +93,10 @@ class CompareDialog(QDialog):
         QGuiApplication.clipboard().setText("\n".join(lines))
 
 
+class ComparingHost(ErrorSignal, RunState, Protocol):
+    """What comparisons use of the engine host."""
+
+
 class Comparing(QObject):
     """Runs both comparisons as jobs; ``ended`` after each, also after a failure."""
 
@@ -99,7 +104,7 @@ class Comparing(QObject):
     beside = Signal(str)  # name of the second hand in the replay
     ended = Signal()
 
-    def __init__(self, host: EngineHost, tasks: TaskOwner, parent: QWidget) -> None:
+    def __init__(self, host: ComparingHost, tasks: TaskOwner, parent: QWidget) -> None:
         super().__init__(parent)
         self._host, self._tasks, self._window = host, tasks, parent
         self._player: Player | None = None

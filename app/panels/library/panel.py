@@ -5,21 +5,22 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
+from typing import Protocol
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QTabBar, QVBoxLayout, QWidget
 
 from app.engines.engine import EngineSetup
-from app.engines.engine_host import EngineHost
+from app.engines.host_parts import EngineChanges
 from app.engines.protocols import Player
 from app.engines.snapshot import Snapshot
 from app.jobs.library_scan import LibraryScan
 from app.panels.command_kind import RecordingAction
-from app.panels.library.comparing import Comparing
+from app.panels.library.comparing import Comparing, ComparingHost
 from app.panels.library.export_list import Exporting, ExportList
 from app.panels.library.gap_page import GapPage, Gaps
-from app.panels.library.session_files import SessionFiles, open_folder
+from app.panels.library.session_files import FilesHost, SessionFiles, open_folder
 from app.panels.library.session_page import SessionPage
 from app.panels.library.track_dialog import TrackDialog
 from app.panels.library.transport import TransportBar
@@ -67,6 +68,10 @@ class Pages(QWidget):
         return found
 
 
+class LibraryHost(ComparingHost, EngineChanges, FilesHost, Protocol):
+    """What the library uses of the engine host."""
+
+
 class LibraryPanel(Panel):
     period = 0.05
     replay = Signal(object)  # Path
@@ -74,13 +79,14 @@ class LibraryPanel(Panel):
 
     def __init__(
         self,
-        host: EngineHost,
+        host: LibraryHost,
         store: SettingsStore,
         tasks: TaskOwner,
         actions: Mapping[str, RecordingAction],
         parent: QWidget | None = None,
     ) -> None:
-        super().__init__(host, parent)
+        super().__init__(parent)
+        self.host = host
         self._store, self._tasks, self._actions = store, tasks, actions
         self._player: Player | None = None
         self.exporting = Exporting(tasks, store, self)

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
-from typing import TypeVar
+from typing import Protocol, TypeVar
 
 from PySide6.QtCore import QObject, QUrl, Signal
 from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QWidget
 
-from app.engines.engine_host import EngineHost
+from app.engines.host_parts import CurrentEngine, ErrorSignal, RecordingPart
 from app.jobs.derived_sessions import crop_job, recover_job
 from app.platform.tasks import TaskOwner
 from app.storage.session_tags import read_tags, tags_of_text, write_tags
@@ -26,6 +26,10 @@ from tracker.base.notices import notice
 T = TypeVar("T")
 
 
+class FilesHost(CurrentEngine, ErrorSignal, RecordingPart, Protocol):
+    """What the files use of the engine host."""
+
+
 class SessionFiles(QObject):
     """Runs the commands; ``changed``: the contents of the folder have changed."""
 
@@ -36,7 +40,7 @@ class SessionFiles(QObject):
     made = Signal(object, str)  # the Path of a new session, and a message
     removed = Signal(str, object)  # a message about tags, and a function that undoes the change
 
-    def __init__(self, host: EngineHost, tasks: TaskOwner, parent: QWidget) -> None:
+    def __init__(self, host: FilesHost, tasks: TaskOwner, parent: QWidget) -> None:
         super().__init__(parent)
         self._host, self._tasks, self._window = host, tasks, parent
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Protocol
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QGuiApplication
@@ -15,7 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.engines.engine import EngineSetup
-from app.engines.engine_host import EngineHost
+from app.engines.host_parts import ErrorSignal, HandSwitch
 from app.engines.snapshot import Snapshot
 from app.jobs.recording_curves import csv_of, read_motion
 from app.panels.hand_choice import HandChoice
@@ -32,14 +33,19 @@ FIGURES_EVERY = 10  # refreshes
 FIRST_ROWS = ("index_mcp_flexion", "index_pip_flexion")
 
 
+class MotionHost(ErrorSignal, HandSwitch, Protocol):
+    """What the panel uses of the engine host."""
+
+
 class MotionPanel(Panel):
     period = 1 / 10
     removed = Signal(str, object)  # a message, and a function that undoes the removal
 
     def __init__(
-        self, host: EngineHost, store: SettingsStore, parent: QWidget | None = None
+        self, host: MotionHost, store: SettingsStore, parent: QWidget | None = None
     ) -> None:
-        super().__init__(host, parent)
+        super().__init__(parent)
+        self.host = host
         self._store = store
         self.model: MotionModel | None = None
         self._setup: EngineSetup | None = None

@@ -13,7 +13,6 @@ from glovetrack.panels import (
     CommandContext,
     Panel,
     PanelKind,
-    PanelServices,
     Snapshot,
     Spot,
     WindowCommand,
@@ -25,8 +24,8 @@ class PinchPanel(Panel):
 
     period = 0.1
 
-    def __init__(self, services: PanelServices) -> None:
-        super().__init__(services.host)
+    def __init__(self) -> None:
+        super().__init__()
         self.figure = QLabel("–", alignment=Qt.AlignmentFlag.AlignCenter)
         QVBoxLayout(self).addWidget(self.figure)
 
@@ -49,5 +48,7 @@ def is_recording(on: CommandContext) -> bool:
     return on.host.running and on.host.recording.is_possible
 
 
-PINCH = PanelKind("pinch", "Pinch", PinchPanel, {"all": Spot("right", 1)}, over="hand")
+PINCH = PanelKind(
+    "pinch", "Pinch", lambda _services: PinchPanel(), {"all": Spot("right", 1)}, over="hand"
+)
 ADD_MARK = WindowCommand("add-mark", "Add a mar&k", add_mark, after="note", enabled=is_recording)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, Protocol
 
 from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtWidgets import (
@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.engines.engine import EngineSetup
-from app.engines.engine_host import EngineHost
+from app.engines.host_parts import ErrorSignal, HandSwitch
 from app.engines.snapshot import Snapshot
 from app.panels.hand.legend import ValidityLegend
 from app.panels.hand_choice import HandChoice
@@ -38,14 +38,19 @@ DECIMALS = 4
 LARGEST = 1e6
 
 
+class ApplicationsHost(ErrorSignal, HandSwitch, Protocol):
+    """What the panel uses of the engine host."""
+
+
 class ApplicationsPanel(Panel):
     period = 1 / 30
     spared_at = Shed.VIEW_RATE
 
     def __init__(
-        self, host: EngineHost, store: SettingsStore, parent: QWidget | None = None
+        self, host: ApplicationsHost, store: SettingsStore, parent: QWidget | None = None
     ) -> None:
-        super().__init__(host, parent)
+        super().__init__(parent)
+        self.host = host
         self._store = store
         self.view = ApplicationView()
         self.view.failed.connect(host.error)

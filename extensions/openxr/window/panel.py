@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable
 from functools import partial
 from html import escape
+from typing import Protocol
 
 from PySide6.QtCore import QSignalBlocker, Qt, QTimer
 from PySide6.QtWidgets import (
@@ -20,7 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.engines.engine_host import EngineHost
+from app.engines.host_parts import CurrentEngine, ErrorSignal
 from app.engines.snapshot import Snapshot
 from app.jobs.outputs import Outputs
 from app.panels.panel import Panel
@@ -43,17 +44,22 @@ REACH = 10.0  # m
 LOOK_AGAIN = 5.0  # s after which the registration's files are read again
 
 
+class OpenXrHost(CurrentEngine, ErrorSignal, Protocol):
+    """What the panel uses of the engine host."""
+
+
 class OpenXrPanel(Panel):
     period = 0.5
 
     def __init__(
         self,
-        host: EngineHost,
+        host: OpenXrHost,
         outputs: Outputs,
         registration: Callable[[], LayerRegistration] = user_registration,
         parent: QWidget | None = None,
     ) -> None:
-        super().__init__(host, parent)
+        super().__init__(parent)
+        self.host = host
         self._outputs, self._registration = outputs, registration
         self._looked, self._layer = float("-inf"), Registered.NO
         self.layer, self.stream, self.result = QLabel(), QLabel(), QLabel()

@@ -10,11 +10,12 @@ from __future__ import annotations
 import json
 from collections import deque
 from dataclasses import asdict, replace
+from typing import Protocol
 
 from PySide6.QtCore import QObject, Qt, Signal
 
 from app.engines.engine import EngineSetup
-from app.engines.engine_host import EngineHost
+from app.engines.host_parts import CurrentEngine, HandChanges, RunState
 from app.engines.protocols import CommandedHand
 from app.engines.snapshot import Snapshot
 from app.jobs.connections import remembered
@@ -37,6 +38,10 @@ from tracker.streaming.publisher import LOOPBACK
 LATENCIES = 500  # the last 5 s
 
 
+class RobotHost(CurrentEngine, HandChanges, RunState, Protocol):
+    """What the connection uses of the engine host."""
+
+
 class RobotLink(QObject):
     """Runs one robot while it is switched on and an engine is open."""
 
@@ -45,7 +50,7 @@ class RobotLink(QObject):
     _failure_received = Signal(str)
 
     def __init__(
-        self, host: EngineHost, store: SettingsStore, parent: QObject | None = None
+        self, host: RobotHost, store: SettingsStore, parent: QObject | None = None
     ) -> None:
         super().__init__(parent)
         self._host, self._store = host, store

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Protocol
+
 import numpy as np
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
-from app.engines.engine_host import EngineHost
+from app.engines.host_parts import ErrorSignal, HandSwitch
 from app.engines.snapshot import Snapshot
 from app.panels.hand_choice import HandChoice
 from app.panels.panel import Panel, PanelColours
@@ -17,7 +19,7 @@ from app.widgets.view3d.shapes import Surface
 from app.widgets.view3d.view_3d import View3D
 from extensions.robot.window.controls import RobotControls
 from extensions.robot.window.finger_table import FingerTable
-from extensions.robot.window.job import RobotLink
+from extensions.robot.window.job import RobotHost, RobotLink
 from extensions.robot.window.view_model import RobotView, table_lines
 from tracker.messages import Shed
 
@@ -30,14 +32,18 @@ PALM = 0.75
 distance from the table's centre to the palm by `PALM`."""
 
 
+class RobotPanelHost(ErrorSignal, HandSwitch, RobotHost, Protocol):
+    """What the panel uses of the engine host."""
+
+
 class RobotPanel(Panel):
     period = 1 / 20
     spared_at = Shed.VIEW_RATE
 
     def __init__(
-        self, host: EngineHost, store: SettingsStore, parent: QWidget | None = None
+        self, host: RobotPanelHost, store: SettingsStore, parent: QWidget | None = None
     ) -> None:
-        super().__init__(host, parent)
+        super().__init__(parent)
         self.link = RobotLink(host, store, self)
         self.view = View3D()
         self.view.orbit.target, self.view.orbit.distance = TARGET.copy(), DISTANCE
