@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from tracker.base.callbacks import ignore
 from tracker.base.errors import notice_of
 from tracker.base.notices import Language, Notice, render, try_render
 from tracker.messages import Event
@@ -15,13 +16,13 @@ from tracker.messages import Event
 class _Catalogue:
     """Translates texts of the source; unchanged until a language is in use."""
 
-    look_up: Callable[[str], str | None] | None = None
+    look_up: Callable[[str], str | None] = ignore
     decimal = "."
     language = "en"
 
 
 def use(
-    look_up: Callable[[str], str | None] | None,
+    look_up: Callable[[str], str | None] = ignore,
     decimal: str = ".",
     language: str = "en",
 ) -> None:
@@ -37,8 +38,7 @@ def language() -> str:
 
 def tr(text: str) -> str:
     """``text`` in the user's language. Values are inserted afterwards: ``tr("{} m").format(x)``."""
-    found = _Catalogue.look_up(text) if _Catalogue.look_up is not None else None
-    return found or text
+    return _Catalogue.look_up(text) or text
 
 
 def mark(text: str) -> str:

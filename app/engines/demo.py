@@ -180,7 +180,7 @@ def _built_with(
             for side, glove in gloves.items()
         ]
     )
-    return Built(setup, send if wearer is not None else None, t_0, pickle.dumps(spec))
+    return Built(setup, send, t_0, pickle.dumps(spec))
 
 
 def _gloves(wearers: Mapping[str, Simulation], glove_process: GloveProcess) -> dict[str, DemoGlove]:

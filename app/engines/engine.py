@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from multiprocessing.connection import Connection
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 from app.engines.protocols import (
     CameraControls,
@@ -21,6 +21,7 @@ from app.engines.protocols import (
     TrackedHand,
     WindowEngine,
 )
+from tracker.base.callbacks import ignore
 from tracker.base.clock import ClockAnchor
 from tracker.base.notices import Notice
 from tracker.glove.model import GloveModel
@@ -35,8 +36,11 @@ if TYPE_CHECKING:
     from tracker.simulation.posture_requests import PostureRequest
 
 
-PassOn = Callable[[Connection, Sequence[str]], Callable[[], None]]
-"""Sends the estimates of the hands of these sides into a pipe; returns a function that ends it."""
+class PassesOn(Protocol):
+    """Sends estimates into a pipe itself."""
+
+    def pass_on(self, line: Connection, sides: Sequence[str]) -> Callable[[], None]:
+        """Send the estimates of the hands of these sides; returns a function that ends it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,14 +48,14 @@ class LivePart:
     """What a live engine offers besides what every engine does, for one hand.
 
     ``wearer`` is a simulated one who follows the guidance; a real one reads it on the screen.
-    ``pass_on`` sends estimates to the streams' process directly; None: the window has to.
+    ``apart`` sends estimates to the streams' process itself; None: the window has to.
     """
 
     engine: LiveEngine
     hand: CommandedHand
     make_recorder: Callable[[RecordingRequest], RecordedFile]
     wearer: SimulatedWearer | None = None
-    pass_on: PassOn | None = None
+    apart: PassesOn | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -176,6 +180,6 @@ class Built(NamedTuple):
     pickled specification of the scene."""
 
     setup: EngineSetup
-    send: Send | None = None
+    send: Send = ignore
     begins: float = 0.0
     scene: bytes = b""

@@ -19,6 +19,7 @@ from app.engines.recording import Recording
 from app.engines.snapshot import Looks, Snapshot
 from app.platform.tasks import JobProgress, TaskOwner
 from app.words import error_text, notice_text
+from tracker.base.callbacks import ignore
 from tracker.base.errors import GlovetrackError
 from tracker.base.notices import Notice
 from tracker.fusion.engine import Engine
@@ -224,7 +225,7 @@ class EngineHost(QObject):
         self,
         work: Callable[[Engine], T],
         side: str = "",
-        answer: Callable[[T], None] | None = None,
+        answer: Callable[[T], None] = ignore,
     ) -> bool:
         """Run ``work`` on the thread of the engine, for the hand shown or of ``side``, and pass the
         result to ``answer`` in another thread; returns False without a live engine.

@@ -14,6 +14,7 @@ from app.engines.engine import EngineSetup
 from app.engines.notes import Notes
 from app.engines.recording import Recording
 from app.engines.snapshot import Snapshot
+from tracker.base.callbacks import ignore
 from tracker.fusion.engine import Engine
 from tracker.vision.colours import ColourProfile
 
@@ -90,7 +91,7 @@ class EngineCommands(CurrentEngine, Protocol):
     def running(self) -> bool: ...
 
     def command(
-        self, work: Callable[[Engine], T], side: str = "", answer: Callable[[T], None] | None = None
+        self, work: Callable[[Engine], T], side: str = "", answer: Callable[[T], None] = ignore
     ) -> bool: ...
 
 

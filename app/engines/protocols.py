@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Protocol, TypeAlias, TypeVar
 
 import numpy as np
 
+from tracker.base.callbacks import ignore
 from tracker.base.notices import Notice
 from tracker.fusion.engine import Engine
 from tracker.live.history import SearchedImage
@@ -120,9 +121,7 @@ class TrackedHand(Protocol):
 class CommandedHand(Protocol):
     """Requests to a live engine for one hand."""
 
-    def command(
-        self, work: Callable[[Engine], T], answer: Callable[[T], None] | None = None
-    ) -> None:
+    def command(self, work: Callable[[Engine], T], answer: Callable[[T], None] = ignore) -> None:
         """Run ``work`` on the engine's own thread, and pass its result to ``answer`` in another
         thread than the caller's.
 
@@ -141,8 +140,10 @@ class CommandedHand(Protocol):
     def let_go(self, pose: str, held: bool) -> None:
         """The pose is over; ``held``: the engine may learn from it."""
 
-    def follow(self, follower: Callable[[Estimate, float], None] | None) -> None:
-        """Send each estimate to ``follower``, for example a robot; None ends that."""
+    def follow(self, follower: Callable[[Estimate, float], None]) -> None:
+        """Send each estimate to ``follower``, for example a robot, until `unfollow`."""
+
+    def unfollow(self) -> None: ...
 
     def subscribe(self, subscriber: Callable[[Estimate], None]) -> Callable[[], None]:
         """Call ``subscriber`` with each estimate that is shown; the returned function ends that."""

@@ -10,6 +10,7 @@ from functools import partial
 from typing import Generic, Protocol, TypeVar
 
 from app.platform.tasks import JobProgress, TaskOwner
+from tracker.base.callbacks import ignore
 
 
 class Closable(Protocol):
@@ -38,13 +39,25 @@ class Openings(Generic[T]):
         """The resource open under a name."""
         return self._open.get(name)
 
-    def renew(
-        self, name: str, title: str, make: Callable[[], T] | None, use: Callable[[T], bool]
-    ) -> None:
+    def renew(self, name: str, title: str, make: Callable[[], T], use: Callable[[T], bool]) -> None:
         """Close the resource open under ``name``, then open the result of ``make``: in one job,
         since both may block, and the new resource may need the port of the old one. ``use`` is
         called in the window's thread; if it returns False, the resource is closed. A request that
         a newer one follows opens nothing, or is closed before the newer one opens anything."""
+        self._replace(name, title, make, use)
+
+    def close(self, name: str, title: str) -> None:
+        """Close the resource open under ``name`` in a job, as `renew` does."""
+        if name in self._open or self._jobs[name]:
+            self._replace(name, title, ignore, ignore)
+        else:
+            self._wanted[name] = self._wanted.get(name, 0) + 1
+            if self.problems.pop(name, None) is not None:
+                self._changed()
+
+    def _replace(
+        self, name: str, title: str, make: Callable[[], T | None], use: Callable[[T], bool | None]
+    ) -> None:
         wish = self._wanted[name] = self._wanted.get(name, 0) + 1
         problem = self.problems.pop(name, None)
         before = self._open.pop(name, None)
@@ -59,25 +72,25 @@ class Openings(Generic[T]):
                     stale.pop().close()
                 self._close_outdated(name, wish)
                 progress(-1.0, name)
-                if make is None or wish != self._wanted[name]:
-                    return None
-                made = make()
-                self._fresh[name, wish] = made
+                made = make() if wish == self._wanted[name] else None
+                if made is not None:
+                    self._fresh[name, wish] = made
             return made
 
-        if before is not None or make is not None or self._jobs[name]:
-            self._jobs[name] += 1
-            self._tasks.run(
-                title,
-                job,
-                done=partial(self._opened, name, wish, use),
-                failed=partial(self._failed, name, wish),
-                ended=partial(self._end, name),
-            )
+        self._jobs[name] += 1
+        self._tasks.run(
+            title,
+            job,
+            done=partial(self._opened, name, wish, use),
+            failed=partial(self._failed, name, wish),
+            ended=partial(self._end, name),
+        )
         if before is not None or problem is not None:
             self._changed()
 
-    def _opened(self, name: str, wish: int, use: Callable[[T], bool], made: T | None) -> None:
+    def _opened(
+        self, name: str, wish: int, use: Callable[[T], bool | None], made: T | None
+    ) -> None:
         """Use the resource, unless all were closed or there is a newer request, whose job closes
         it."""
         if made is None or wish != self._wanted[name] or (name, wish) not in self._fresh:

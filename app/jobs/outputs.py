@@ -126,8 +126,8 @@ class Feed:
     def _begun(self) -> list[Callable[[], None]]:
         """Begin; returns functions that end it."""
         hands, live = self._setup.hands, self._setup.live
-        if live is not None and live.pass_on is not None:
-            return [live.pass_on(self._process.open_line(), [hand.side for hand in hands])]
+        if live is not None and live.apart is not None:
+            return [live.apart.pass_on(self._process.open_line(), [hand.side for hand in hands])]
         return [feed(hand.tracked, self._process.line, k) for k, hand in enumerate(hands)]
 
     def end(self) -> None:
@@ -287,10 +287,12 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
     def _renew(self, name: str) -> None:
         """Close a stream and, if an engine runs, reopen it with the current settings."""
         setup = self._wanted_on(name)
-        words = self.tr("Closing {}") if setup is None else self.tr("Opening {}")
         title = tr(self.kinds[name].title) if name in self.kinds else name
-        make = partial(self._made, name, setup) if setup is not None else None
-        self._openings.renew(name, words.format(title), make, partial(self._attach, setup))
+        if setup is None:
+            self._openings.close(name, self.tr("Closing {}").format(title))
+            return
+        make, use = partial(self._made, name, setup), partial(self._attach, setup)
+        self._openings.renew(name, self.tr("Opening {}").format(title), make, use)
 
     def _wanted_on(self, name: str) -> EngineSetup | None:
         """The engine that a stream should be attached to."""

@@ -273,7 +273,10 @@ class RemoteControl(Connections[DoorKind[Any], ConnectionSettings]):
         kind = self.kinds[name]
         make = partial(open_door, kind, self.settings.options(kind), self.answers.answer)
         title = self.tr("Remote control over {}").format(name)
-        self._openings.renew(name, title, make if self.is_on(name) else None, self._take)
+        if self.is_on(name):
+            self._openings.renew(name, title, make, self._take)
+        else:
+            self._openings.close(name, title)
         self.changed.emit()
 
     def _take(self, door: Door) -> bool:

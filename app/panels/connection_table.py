@@ -39,27 +39,28 @@ class ConnectionTable(QGridLayout):
         name: str,
         title: str,
         switch: Callable[[str, bool], object],
-        set_port: Callable[[str, int], object] | None,
     ) -> None:
-        """Add a row; both callables get the connection's name as their first argument."""
+        """Add a row; ``switch`` gets the connection's name as its first argument."""
         i = self.rowCount()
         box = self.boxes[name] = QCheckBox(title)
         box.toggled.connect(partial(switch, name))
         self.addWidget(box, i, 0)
-        if set_port is not None:
-            port = self.ports[name] = QSpinBox()
-            port.setRange(1, 65535)
-            port.setFixedWidth(PORT_WIDTH)
-            words = QCoreApplication.translate("ConnectionTable", "Port of {}")
-            port.setAccessibleName(words.format(title))
-            port.setKeyboardTracking(False)
-            port.valueChanged.connect(partial(set_port, name))
-            self.addWidget(port, i, 1)
         self.cells[name] = {column: QLabel() for column in COLUMNS}
         for j, label in enumerate(self.cells[name].values(), start=BUTTONS + 1):
             if j > BUTTONS + 1:
                 label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
             self.addWidget(label, i, j)
+
+    def add_port(self, name: str, title: str, set_port: Callable[[str, int], object]) -> None:
+        """Add the port of a row; ``set_port`` gets the connection's name as its first argument."""
+        port = self.ports[name] = QSpinBox()
+        port.setRange(1, 65535)
+        port.setFixedWidth(PORT_WIDTH)
+        words = QCoreApplication.translate("ConnectionTable", "Port of {}")
+        port.setAccessibleName(words.format(title))
+        port.setKeyboardTracking(False)
+        port.valueChanged.connect(partial(set_port, name))
+        self.put_at_port(name, port)
 
     def put_buttons(self, name: str, widget: QWidget) -> None:
         """After the port."""

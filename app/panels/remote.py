@@ -77,8 +77,9 @@ class RemoteBox(QGroupBox):
             )
         )
         for name, kind in self._remote.kinds.items():
-            port = self._remote.set_port if kind.has("port") else None
-            table.add(name, tr(kind.title), self._remote.switch, port)
+            table.add(name, tr(kind.title), self._remote.switch)
+            if kind.has("port"):
+                table.add_port(name, tr(kind.title), self._remote.set_port)
             if option_fields(kind):
                 table.put_buttons(name, self._options_button(name))
         self.table = table

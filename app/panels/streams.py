@@ -187,8 +187,9 @@ class StreamsPanel(Panel):
         outputs = self._outputs
         self.files: dict[str, RecordFile] = {}
         for name, kind in outputs.kinds.items():
-            port = outputs.set_port if kind.has("port") else None
-            table.add(name, tr(kind.title), outputs.switch, port)
+            table.add(name, tr(kind.title), outputs.switch)
+            if kind.has("port"):
+                table.add_port(name, tr(kind.title), outputs.set_port)
             table.show_wanted(name, outputs.is_on(name), outputs.port(name))
             table.boxes[name].setToolTip(tr(kind.note))
             if kind.default_file:

@@ -48,7 +48,8 @@ class Choice:
 @dataclass(frozen=True, eq=False)
 class Material:
     """Data from the window. ``screenshot`` is a PNG; ``session_file`` the file whose last seconds
-    are used; without one ``write_recent`` writes the data in memory to a path."""
+    are used; without one ``write_recent`` writes the data in memory to a path and returns True, or
+    returns False."""
 
     log: str
     settings: AppSettings
@@ -57,7 +58,7 @@ class Material:
     log_folder: Path | None = None
     screenshot: bytes = b""
     session_file: Path | None = None
-    write_recent: Callable[[Path], None] | None = None
+    write_recent: Callable[[Path], bool] = lambda _path: False
     names: tuple[str, ...] = field(default=())  # personal names to be removed from texts
     doctor: str = ""  # the report of `tracker.doctor`, if it was run
 
@@ -195,9 +196,7 @@ def _excerpt(material: Material, choice: Choice, path: Path) -> list[str]:
     try:
         if material.session_file is not None:
             cut_tail(material.session_file, path, EXCERPT_S, choice.images, choice.personal)
-        elif material.write_recent is not None:
-            material.write_recent(path)
-        else:
+        elif not material.write_recent(path):
             return ["the last seconds: no session is open"]
     except (GlovetrackError, OSError) as error:
         path.unlink(missing_ok=True)

@@ -108,14 +108,14 @@ class Instance(QObject):
 
     Raises ForeignSocket, or DiskError if no private socket can be created.
 
-    ``answer``, once there is a window, handles requests in JSON and returns answers in JSON.
+    ``answer`` handles requests in JSON and returns answers in JSON; empty before there is a window.
     """
 
     asked = Signal(str, object)
-    answer: Callable[[str], str] | None = None
 
     def __init__(self, name: str | None = None, parent: QObject | None = None) -> None:
         super().__init__(parent)
+        self.answer: Callable[[str], str] = lambda _request: ""
         self._sockets: set[QLocalSocket] = set()
         self._server = QLocalServer(self)
         self._server.setSocketOptions(QLocalServer.SocketOption.UserAccessOption)
@@ -164,8 +164,9 @@ class Instance(QObject):
         except (ValueError, AttributeError):
             socket.abort()
             return
-        if isinstance(wish, dict) and self.answer is not None:
-            socket.write(self.answer(json.dumps(wish)).encode() + b"\n")
+        answer = self.answer(json.dumps(wish)) if isinstance(wish, dict) else ""
+        if answer:
+            socket.write(answer.encode() + b"\n")
             socket.flush()
         elif isinstance(path, str) and _is_time(at):
             socket.write(ANSWER)

@@ -11,6 +11,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Qt, Signal
 
 from app.words import error_text, notice_text, tr
+from tracker.base.callbacks import ignore
 from tracker.base.damage import gather, reports
 from tracker.base.errors import GlovetrackError
 
@@ -113,10 +114,10 @@ class TaskOwner(QObject):
         self,
         title: str,
         job: Job,
-        done: Callable[[Any], None] | None = None,
-        ended: Callable[[], None] | None = None,
-        progressed: Callable[[float, str], None] | None = None,
-        failed: Callable[[str], None] | None = None,
+        done: Callable[[Any], None] = ignore,
+        ended: Callable[[], None] = ignore,
+        progressed: Callable[[float, str], None] = ignore,
+        failed: Callable[[str], None] = ignore,
     ) -> RunningJob:
         """Run ``job`` in its own thread. In this thread, ``progressed`` is called with its
         progress, ``done`` with its result or ``failed`` with a message, and ``ended`` in any case:
@@ -124,14 +125,10 @@ class TaskOwner(QObject):
         # Not a child of the owner: an object connected to a task may have the last reference to the
         # owner, whose deletion would delete the task a second time, during its own deletion.
         task = RunningJob(title, job)
-        if progressed is not None:
-            task.progressed.connect(progressed, Qt.ConnectionType.QueuedConnection)
-        if failed is not None:
-            task.failed.connect(failed, Qt.ConnectionType.QueuedConnection)
-        if ended is not None:
-            task.ended.connect(ended, Qt.ConnectionType.QueuedConnection)
-        if done is not None:
-            task.done.connect(done, Qt.ConnectionType.QueuedConnection)
+        task.progressed.connect(progressed, Qt.ConnectionType.QueuedConnection)
+        task.failed.connect(failed, Qt.ConnectionType.QueuedConnection)
+        task.ended.connect(ended, Qt.ConnectionType.QueuedConnection)
+        task.done.connect(done, Qt.ConnectionType.QueuedConnection)
         task.failed.connect(self.failed, Qt.ConnectionType.QueuedConnection)
         task.noted.connect(self.noted, Qt.ConnectionType.QueuedConnection)
         task.ended.connect(lambda: self._forget(task), Qt.ConnectionType.QueuedConnection)
@@ -172,9 +169,7 @@ class LatestJob(QObject):
         self._owner.failed.connect(self.failed)
         self._waiting: tuple[Job, Callable[[Any], None]] | None = None
         self._busy = False
-        self._done: Callable[[Any], None] | None = (
-            None  # callback of the running job, while it is wanted
-        )
+        self._done: Callable[[Any], None] = ignore  # callback of the running job, while wanted
 
     def run(self, job: Job, done: Callable[[Any], None]) -> None:
         """Schedule a job and return. ``done`` receives the result in this thread, unless it is
@@ -191,7 +186,7 @@ class LatestJob(QObject):
 
     def forget(self) -> None:
         """Discard the result of the running job."""
-        self._waiting = self._done = None
+        self._waiting, self._done = None, ignore
 
     def _begin(self) -> None:
         if self._waiting is None:
@@ -202,8 +197,7 @@ class LatestJob(QObject):
 
     def _answer(self, result: Any) -> None:
         """One job runs at a time, so the result belongs to the current callback, if any."""
-        if self._done is not None:
-            self._done(result)
+        self._done(result)
 
     def _ended(self) -> None:
         self._busy = False

@@ -57,7 +57,7 @@ def install(app: QCoreApplication, setting: str, where: Path | None = None) -> s
     # fields for numbers use the language's separator too; the system's own region otherwise
     QLocale.setDefault(system if system.name().startswith(code) else QLocale(code))
     if code == ENGLISH:
-        words.use(None)
+        words.use()
         return code
     _install_qt_words(app, code)
     catalogue = Catalogue(app)

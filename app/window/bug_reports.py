@@ -207,7 +207,7 @@ class BugReports(QObject):
             log_folder=self._crashes.folder if self._crashes is not None else None,
             screenshot=self._screenshot(choice.personal) if choice.screenshot else b"",
             session_file=opened,
-            write_recent=self._write_recent if host.running else None,
+            write_recent=self._write_recent if host.running else lambda _path: False,
             names=(settings.participant, settings.task, settings.sessions_folder),
             doctor=self._doctor,
         )
@@ -227,18 +227,20 @@ class BugReports(QObject):
             "values": dict(status.values),
         }
 
-    def _write_recent(self, path: Path) -> None:
-        """Write the seconds in memory to a file like any recording, without names of persons."""
+    def _write_recent(self, path: Path) -> bool:
+        """Write the seconds in memory to a file like any recording, without names of persons;
+        returns False without a live engine."""
         host = self._sources.host
         setup = host.setup
         if setup is None or setup.live is None:
-            return
+            return False
         recorder = setup.live.make_recorder(RecordingRequest(path, "", ""))
         try:
             for message in host.recent():
                 recorder.write(message)
         finally:
             recorder.close()
+        return True
 
     def _screenshot(self, personal: bool) -> bytes:
         """A PNG of the window; panels that show names are blacked out unless ``personal``."""

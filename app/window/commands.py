@@ -59,7 +59,14 @@ class MenuCommand:
     shortcut: str = ""
     checkable: bool = False
     separator: bool = False  # before it
-    ticked: Callable[[], bool] | None = None  # whether it is selected; for open menus
+
+
+@dataclass(frozen=True, kw_only=True)
+class MenuChoice(MenuCommand):
+    """A command whose item is ticked while ``ticked`` returns True as the menu opens."""
+
+    ticked: Callable[[], bool]
+    checkable: bool = True
 
 
 class Commands:
@@ -81,7 +88,7 @@ class Commands:
 
     def add(self, command: MenuCommand) -> QAction:
         action = QAction(command.text, self._window)
-        action.setCheckable(command.checkable or command.ticked is not None)
+        action.setCheckable(command.checkable)
         if command.shortcut:
             action.setShortcut(QKeySequence(command.shortcut))
             action.setShortcutContext(Qt.ShortcutContext.WindowShortcut)
@@ -90,7 +97,7 @@ class Commands:
         if command.separator:
             menu.addSeparator()
         menu.addAction(action)
-        if command.ticked is not None:
+        if isinstance(command, MenuChoice):
             ticked = command.ticked
             menu.aboutToShow.connect(lambda: action.setChecked(ticked()))
         self.actions[command.key] = action

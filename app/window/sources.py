@@ -29,6 +29,7 @@ from app.platform.tasks import JobProgress
 from app.storage.settings import AppSettings, SettingsStore
 from app.viewmodels.recording import RecordingPlan
 from app.window.message_bar import MessageBar
+from tracker.base.callbacks import ignore
 from tracker.doctor.permissions import RULES
 
 if TYPE_CHECKING:
@@ -139,7 +140,8 @@ class Sources(QObject):
         self.apart = False
         """Whether demo and devices are tracked in a process of their own."""
         self.looking_for_devices = False
-        self._live: Callable[[], None] | None = None
+        self._was_live = False
+        self._open_live: Callable[[], None] = ignore  # what was live last
         self.plugged = PlugWatch(host, store, self)
         self.plugged.came.connect(self._came)
         self.second = SecondProcess(host, self)
@@ -155,7 +157,7 @@ class Sources(QObject):
         """``camera``, or the ``process`` that tracks, may have been started already."""
 
         def begun() -> None:
-            self._live = partial(self.open_demo, choice)
+            self._was_live, self._open_live = True, partial(self.open_demo, choice)
 
         factory = demo_factory(choice, camera=camera)
         if self.apart:
@@ -181,7 +183,7 @@ class Sources(QObject):
 
     def _devices_begun(self) -> None:
         self.looking_for_devices = True
-        self._live = self.open_devices
+        self._was_live, self._open_live = True, self.open_devices
         self.devices_asked.emit()
 
     def open_session(self, path: Path, at: float | None = None) -> None:
@@ -199,18 +201,17 @@ class Sources(QObject):
     def can_go_live(self) -> bool:
         """Whether a replay is shown that came after a demo or devices."""
         setup = self._host.setup
-        return self._live is not None and setup is not None and setup.player is not None
+        return self._was_live and setup is not None and setup.player is not None
 
     def go_live(self) -> None:
         """Return from a replay to the demo or the devices that were open before."""
-        if self._live is not None:
-            self._live()
+        self._open_live()
 
     def reopen(self) -> None:
         """Open the demo or the devices again, after a change of their files."""
         setup = self._host.setup
-        if self._live is not None and setup is not None and setup.live is not None:
-            self._live()
+        if setup is not None and setup.live is not None:
+            self._open_live()
 
     def choose_session(self, plan: RecordingPlan) -> None:
         """Ask for a file, beginning with the folder of recordings."""
@@ -279,7 +280,7 @@ class Sources(QObject):
         self._store.update(engine=name)
         self._host.set_engine(name)
 
-    def _open(self, what: Opening, begun: Callable[[], None] | None = None) -> None:
+    def _open(self, what: Opening, begun: Callable[[], None] = ignore) -> None:
         """``begun`` is called if it is opened now."""
         if self._host.recording.request is not None:
             text = self.tr("{} cannot be opened during a recording.").format(what.name)
@@ -288,14 +289,13 @@ class Sources(QObject):
         else:
             self._open_now(what, begun)
 
-    def _open_now(self, what: Opening, begun: Callable[[], None] | None) -> None:
+    def _open_now(self, what: Opening, begun: Callable[[], None]) -> None:
         self._messages.hide()
         self.looking_for_devices = False
         if not what.keep:
             self.plugged.rest()
         self._host.open(what.title, what.factory, keep=what.keep)
-        if begun is not None:
-            begun()
+        begun()
 
     def shut_down(self) -> None:
         """Stop looking for devices, and end the waiting process."""

@@ -32,6 +32,7 @@ from app.window.window_options import WindowOptions
 from resources import folder
 from tracker import __version__
 from tracker.base.arguments import options_of
+from tracker.base.callbacks import ignore
 from tracker.base.command import UsageError
 from tracker.base.errors import ConfigError, GlovetrackError
 from tracker.base.notices import notice
@@ -71,9 +72,9 @@ def open_devices(args: argparse.Namespace) -> int:
     return open_from_arguments(args)
 
 
-def open_window(options: WindowOptions, then: Then | None = None) -> int:
-    """Open the window; returns the exit status. ``then`` is called when it is shown; such a window
-    is opened even if another one is open.
+def open_window(options: WindowOptions, then: Then = ignore, alone: bool = True) -> int:
+    """Open the window; returns the exit status. ``then`` is called when it is shown. ``alone``: if
+    another window is open, that one is used instead.
 
     Raises UsageError for options that contradict each other, and GlovetrackError.
     """
@@ -94,7 +95,7 @@ def open_window(options: WindowOptions, then: Then | None = None) -> int:
     app.setDesktopFileName("glovetrack")
     app.setWindowIcon(QIcon(str(folder("icons") / "glovetrack.svg")))
     if options.headless_report is None:
-        return _run(app, options, then)
+        return _run(app, options, then, alone)
     return _report(options, options.headless_report)
 
 
@@ -145,8 +146,8 @@ def _report(options: WindowOptions, seconds: float) -> int:
     return headless_report(seconds, options.out, watched, connected, options.wearer)
 
 
-def _run(app: QApplication, options: WindowOptions, then: Then | None) -> int:
-    if then is None and not options.demo and hand_over(options.session, options.at):
+def _run(app: QApplication, options: WindowOptions, then: Then, alone: bool) -> int:
+    if alone and not options.demo and hand_over(options.session, options.at):
         return 0  # the open window shows it
     store = SettingsStore()
     install(app, store.value.language)
@@ -166,7 +167,7 @@ def _show(
     store: SettingsStore,
     crashes: CrashWatch,
     instance: Instance,
-    then: Then | None,
+    then: Then,
 ) -> int:
     apart = store.value.own_process
     camera = start_camera(choice=_demo(options)) if options.demo and not apart else None
@@ -193,8 +194,7 @@ def _show(
         window.sources.open_session(options.session, options.at)
     elif options.devices:
         window.sources.open_devices()
-    if then is not None:
-        then(window.context)
+    then(window.context)
     return app.exec()
 
 

@@ -23,7 +23,7 @@ from app.storage.settings import SettingsStore
 from app.viewmodels.recording import RecordingPlan
 from app.widgets.icons import dress, text_by_icon
 from app.window.bug_reports import BugReports
-from app.window.commands import Commands, MenuCommand
+from app.window.commands import Commands, MenuChoice, MenuCommand
 from app.window.contributions import AddedCommand
 from app.window.dialogs import Dialogs
 from app.window.layout_keeper import LayoutKeeper
@@ -123,7 +123,7 @@ def _set_up(on: Targets) -> list[MenuCommand]:
         MenuCommand("glove_setup", menu, w.tr("&Glove…"), on.set_up.open_glove, "Ctrl+Shift+G"),
         MenuCommand("imu_positions", menu, w.tr("&IMU accuracy…"), on.set_up.open_positions),
         MenuCommand("firmware", menu, w.tr("Glove &firmware…"), on.set_up.open_firmware),
-        MenuCommand(
+        MenuChoice(
             "both_hands",
             menu,
             w.tr("&Both hands"),
@@ -161,7 +161,7 @@ def _tracking(on: Targets) -> list[MenuCommand]:
         ),
         MenuCommand("pose_reset_setup", menu, w.tr("Pose reset sett&ings…"), w.set_up_pose_reset),
         *_engines(on, menu),
-        MenuCommand(
+        MenuChoice(
             "own_process",
             menu,
             w.tr("Track in a separate pro&cess"),
@@ -177,7 +177,7 @@ def _engines(on: Targets, menu: str) -> list[MenuCommand]:
     kinds = engine_kinds()
     titles = {name: w.tr("Engine: {}").format(tr(kind.title)) for name, kind in kinds.items()}
     return [
-        MenuCommand(
+        MenuChoice(
             f"engine_{n}",
             menu,
             title,
@@ -267,7 +267,7 @@ def _hands(on: Targets, menu: str) -> list[MenuCommand]:
         return on.host.setup is not None and on.host.setup.side == side
 
     return [
-        MenuCommand(
+        MenuChoice(
             f"hand_{side}",
             menu,
             title,
@@ -289,7 +289,7 @@ def _choices(
 ) -> list[MenuCommand]:
     """A command per choice, checked if selected; ``names`` of the commands and of the setting."""
     return [
-        MenuCommand(
+        MenuChoice(
             f"{names[0]}_{value}",
             menu,
             title,
@@ -363,7 +363,7 @@ def _languages(on: Targets, menu: str) -> list[MenuCommand]:
     own[ENGLISH] = QLocale.languageToString(QLocale(ENGLISH).language())  # not "American English"
     titles = {SYSTEM: on.window.tr("Language: system default"), **own}
     return [
-        MenuCommand(
+        MenuChoice(
             f"language_{code}",
             menu,
             title,

@@ -10,6 +10,7 @@ import numpy as np
 
 from extensions.room.osc_poses import RoomPose
 from extensions.room.placement import Placement
+from tracker.base.callbacks import ignore
 from tracker.base.clock import monotonic
 from tracker.streaming.remote.reception import Allowance, Answer, DoorCounts
 from tracker.streaming.remote.request import Reply, Request
@@ -37,7 +38,7 @@ class PoseTaker:
         self._allowance = Allowance(MOST_HZ, monotonic())
         self._peers: dict[str, float] = {}
         self._received: dict[str, ReceivedPoses] = {}
-        self._tap: Tap | None = None
+        self._tap: Tap = ignore
         self.asked = self.refused = 0
 
     def take(self, poses: Sequence[RoomPose], t: float, peer: str) -> None:
@@ -61,9 +62,13 @@ class PoseTaker:
         """Trackers by name, those that are on no hand included. From any thread."""
         return dict(self._received)
 
-    def tap(self, tap: Tap | None) -> None:
-        """Passes every pose to ``tap`` too, from now on; None ends it. From any thread."""
+    def tap(self, tap: Tap) -> None:
+        """Passes every pose to ``tap`` too, from now on. From any thread."""
         self._tap = tap
+
+    def untap(self) -> None:
+        """Ends what `tap` began. From any thread."""
+        self._tap = ignore
 
     def _remember(self, pose: RoomPose, t: float) -> None:
         before = self._received.get(pose.name)
@@ -71,9 +76,7 @@ class PoseTaker:
             count = before.count if before is not None else 0
             turned = bool(np.isfinite(pose.q).all())
             self._received[pose.name] = ReceivedPoses(count + 1, turned)
-        tap = self._tap
-        if tap is not None:
-            tap(pose, t)
+        self._tap(pose, t)
 
     def _note_peer(self, peer: str) -> None:
         self._peers.pop(peer, None)

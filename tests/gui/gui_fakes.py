@@ -244,6 +244,9 @@ class ScriptedEngine:
     def follow(self, follower) -> None:
         self.commands.append("follow")
 
+    def unfollow(self) -> None:
+        self.commands.append("unfollow")
+
     def record(self, message) -> None:
         self.commands.append("record")
 

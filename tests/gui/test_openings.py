@@ -43,7 +43,7 @@ def test_a_resource_is_closed_before_it_is_opened_again(openings, qtbot):
     qtbot.waitUntil(lambda: openings.get("a") is not None)
     assert log == ["opened first", "closed first", "opened second"]
     assert openings.problems == {}
-    openings.renew("a", "a", None, lambda port: True)
+    openings.close("a", "a")
     qtbot.waitUntil(lambda: log[-1] == "closed second")
     assert openings.get("a") is None
 
@@ -58,7 +58,7 @@ def test_a_resource_no_longer_needed_is_closed_after_opening(openings, qtbot):
 
     openings.renew("a", "a", slowly, lambda port: True)
     assert begun.wait(60.0)
-    openings.renew("a", "a", None, lambda port: True)
+    openings.close("a", "a")
     go.set()
     qtbot.waitUntil(lambda: log == ["opened slow", "closed slow"])
     openings.renew("a", "a", lambda: Port(log, "refused"), lambda port: False)
@@ -84,7 +84,7 @@ def test_requests_in_quick_succession_leave_the_last_one_open(openings, qtbot):
     qtbot.wait(100)  # nothing follows
     assert openings.problems == {} and log[-1] == "opened 5"
     assert [line.split()[0] for line in log[::2]] == ["opened"] * (len(log) // 2 + 1)
-    openings.renew("a", "a", None, lambda port: True)
+    openings.close("a", "a")
     qtbot.waitUntil(lambda: log[-1] == "closed 5")
 
 

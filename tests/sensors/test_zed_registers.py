@@ -15,7 +15,7 @@ import cv2
 import pytest
 
 from tests.sensors.test_camera_controls import Driver, Input, by_name
-from tracker.sensors import camera_controls, zed_registers
+from tracker.sensors import camera_controls, v4l2
 from tracker.sensors.camera_controls import ControlledInput, Locks
 from tracker.sensors.zed_registers import (
     GAIN_LIMITS,
@@ -167,7 +167,7 @@ def test_the_window_sees_a_confirmed_lock(path: str, monkeypatch: pytest.MonkeyP
                 self.values.pop(prop, None)
 
     zed = FakeZed()
-    monkeypatch.setattr(zed_registers, "system_ioctl", lambda: zed)
+    monkeypatch.setattr(v4l2, "ioctl", lambda *asked: zed(*asked[:3]))
     monkeypatch.setattr(camera_controls, "is_zed", lambda _path: True)
     source = ControlledInput(Input(NoExposure()), Locks(), (path,))
     source.open()

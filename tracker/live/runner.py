@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TypeVar
 
+from tracker.base.callbacks import ignore
 from tracker.base.clock import monotonic
 from tracker.base.notices import Notice
 from tracker.calibration.colours_follow import ColourFollower
@@ -218,9 +219,7 @@ class HandRequests:
         self._loop, self._inbox, self.side = loop, inbox, side
         self._hand = loop.seen[side]
 
-    def command(
-        self, work: Callable[[Engine], T], answer: Callable[[T], None] | None = None
-    ) -> None:
+    def command(self, work: Callable[[Engine], T], answer: Callable[[T], None] = ignore) -> None:
         """Calls ``work`` with the hand's engine, in the engine thread, between two messages.
 
         ``answer`` is called there with the result. A GlovetrackError that it raises is reported as
@@ -228,15 +227,17 @@ class HandRequests:
         """
 
         def answered(engine: Engine) -> None:
-            result = work(engine)
-            if answer is not None:
-                answer(result)
+            answer(work(engine))
 
         self._inbox.put(EngineCommand(answered, self.side))
 
-    def follow(self, follower: Follower | None) -> None:
-        """Passes each estimate to ``follower`` from now on; None ends it."""
-        self._hand.followers = (follower,) if follower is not None else ()
+    def follow(self, follower: Follower) -> None:
+        """Passes each estimate to ``follower`` from now on."""
+        self._hand.followers = (follower,)
+
+    def unfollow(self) -> None:
+        """Ends what `follow` began."""
+        self._hand.followers = ()
 
     def record(self, message: Message) -> None:
         """Records a message of another part; does nothing while no recording is running."""

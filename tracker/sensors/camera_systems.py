@@ -69,19 +69,28 @@ def is_device_path(source: str, system: str = sys.platform) -> bool:
     return system.startswith(LINUX) and source.startswith("/dev/")
 
 
+def _enumerate(backend: int) -> Iterable[Listed]:
+    # deferred: on macOS the package does not load without AVFoundation's bindings
+    from cv2_enumerate_cameras import enumerate_cameras
+
+    cameras: Iterable[Listed] = enumerate_cameras(backend)
+    return cameras
+
+
 def list_cameras(
-    system: str = sys.platform, enumerate_with: Callable[[int], Iterable[Listed]] | None = None
+    system: str = sys.platform, enumerate_with: Callable[[int], Iterable[Listed]] = _enumerate
 ) -> list[CameraName]:
     """All cameras of the system by name, of the first backend that has any.
 
     Raises DeviceError where the system's cameras cannot be listed; they still open by number.
     """
-    ask = enumerate_with or _enumerate
     trouble = "nothing here knows how"
     answered = False
     for backend in backends(system):
         try:
-            found = [CameraName(c.index, c.name, c.path or "", backend) for c in ask(backend)]
+            found = [
+                CameraName(c.index, c.name, c.path or "", backend) for c in enumerate_with(backend)
+            ]
         except (NotImplementedError, ImportError, OSError, RuntimeError) as error:
             trouble = str(error).rstrip(".!") or type(error).__name__
             continue
@@ -91,11 +100,3 @@ def list_cameras(
     if answered:
         return []
     raise DeviceError(notice("camera.not_listed", why=trouble))
-
-
-def _enumerate(backend: int) -> Iterable[Listed]:
-    # deferred: on macOS the package does not load without AVFoundation's bindings
-    from cv2_enumerate_cameras import enumerate_cameras
-
-    cameras: Iterable[Listed] = enumerate_cameras(backend)
-    return cameras

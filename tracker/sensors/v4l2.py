@@ -30,6 +30,13 @@ SYSTEM = Path("/sys/class/video4linux")
 Ioctl = Callable[[int, int, bytearray], int]
 
 
+def system_ioctl(device: int, request: int, data: bytearray) -> int:
+    """The system's own; raises OSError where it has none."""
+    if sys.platform == "win32":
+        raise OSError("this system has no ioctl")
+    return ioctl(device, request, data, True)
+
+
 class Limits(NamedTuple):
     """For a control, in the driver's own units."""
 
@@ -39,7 +46,7 @@ class Limits(NamedTuple):
     default: float
 
 
-def limits_of(path: str, name: str, ioctl: Ioctl | None = None) -> Limits | None:
+def limits_of(path: str, name: str, ioctl: Ioctl = system_ioctl) -> Limits | None:
     """Returns the limits of a control of the camera at ``path``; None where the driver reports
     none, and on other systems."""
     with ControlIo(path, ioctl) as io:
@@ -52,12 +59,12 @@ class ControlIo:
     Everything is None or False where the camera cannot be opened or has no such control.
     """
 
-    def __init__(self, path: str, ioctl: Ioctl | None = None) -> None:
-        self._path, self._ioctl = path, ioctl or system_ioctl()
+    def __init__(self, path: str, ioctl: Ioctl = system_ioctl) -> None:
+        self._path, self._ioctl = path, ioctl
         self._device = -1
 
     def __enter__(self) -> ControlIo:
-        if self._ioctl is not None and self._path.startswith("/dev/"):
+        if sys.platform != "win32" and self._path.startswith("/dev/"):
             try:
                 self._device = os.open(self._path, os.O_RDWR | os.O_NONBLOCK)
             except OSError:
@@ -87,7 +94,7 @@ class ControlIo:
         return self._ask(SET, _VALUE.pack(control, value)) is not None
 
     def _ask(self, request: int, data: bytes) -> bytes | None:
-        if self._device < 0 or self._ioctl is None:
+        if self._device < 0:
             return None
         buffer = bytearray(data)
         try:
@@ -106,10 +113,3 @@ def serial_number(path: str, system: Path = SYSTEM) -> str:
         except OSError:
             continue
     return ""
-
-
-def system_ioctl() -> Ioctl | None:
-    """The system's own, where there is one."""
-    if sys.platform == "win32":
-        return None
-    return lambda device, request, data: ioctl(device, request, data, True)

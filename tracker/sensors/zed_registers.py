@@ -10,6 +10,7 @@ from __future__ import annotations
 import ctypes
 import os
 import struct
+import sys
 import time
 from collections.abc import Sequence
 from pathlib import Path
@@ -69,12 +70,12 @@ class ZedRegisters:
     Everything is None where the camera cannot be opened or does not answer.
     """
 
-    def __init__(self, path: str, ioctl: Ioctl | None = None) -> None:
-        self._path, self._ioctl = path, ioctl or system_ioctl()
+    def __init__(self, path: str, ioctl: Ioctl = system_ioctl) -> None:
+        self._path, self._ioctl = path, ioctl
         self._device = -1
 
     def __enter__(self) -> ZedRegisters:
-        if self._ioctl is not None:
+        if sys.platform != "win32":
             try:
                 self._device = os.open(self._path, os.O_RDWR | os.O_NONBLOCK)
             except OSError:
@@ -170,7 +171,7 @@ class ZedRegisters:
         return None if found is None else bytes(found[ANSWER : ANSWER + length])
 
     def _query(self, request: int, data: bytearray) -> bytearray | None:
-        if self._device < 0 or self._ioctl is None:
+        if self._device < 0:
             return None
         buffer = (ctypes.c_uint8 * len(data)).from_buffer(data)
         block = _QUERY.pack(UNIT, SELECTOR, request, len(data), ctypes.addressof(buffer))
@@ -199,7 +200,7 @@ def _steps_of(register: int) -> int:
 
 
 def lock_exposure(
-    path: str, exposure: float | None, gain: float | None, ioctl: Ioctl | None = None
+    path: str, exposure: float | None, gain: float | None, ioctl: Ioctl = system_ioctl
 ) -> tuple[ZedExposure, bool] | None:
     """Locks the given ones and leaves the other unchanged; without either, both become automatic.
 
@@ -217,7 +218,7 @@ def lock_exposure(
     return None if now is None else (now, confirmed)
 
 
-def zed_serial(path: str, ioctl: Ioctl | None = None) -> int | None:
+def zed_serial(path: str, ioctl: Ioctl = system_ioctl) -> int | None:
     """The serial number of the ZED at ``path``; None where it does not answer."""
     with ZedRegisters(path, ioctl) as zed:
         return zed.serial_number()

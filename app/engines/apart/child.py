@@ -213,8 +213,7 @@ class Desk:
         self._targets: dict[str, object] = {"engine": _EngineTarget(self._setup, self._room)}
         self._targets["files"] = _Files(self._setup, self._room)
         self._targets["streams"] = self._streams = _Streams(self._setup)
-        if built.send is not None:
-            self._targets["wearer"] = _Wearer(built.send)
+        self._targets["wearer"] = _Wearer(built.send)
         if self._setup.camera.controls is not None:
             self._targets["controls"] = self._setup.camera.controls
         for number, hand in enumerate(self._setup.hands):

@@ -180,7 +180,7 @@ class ApartEngine:
                 hand.listeners.restart()
 
     def pass_on(self, line: Connection, sides: Sequence[str]) -> Callable[[], None]:
-        """See `app.engines.engine.PassOn`."""
+        """See `app.engines.engine.PassesOn`."""
         self._process.ask_or(None, "streams", "begin", line, tuple(sides))
         line.close()
         return partial(self._process.tell, "streams", "end")

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from app.engines.apart.messages import Estimated, HandNews
 from app.engines.apart.process import EngineProcess
+from tracker.base.callbacks import ignore
 from tracker.base.clock import monotonic
 from tracker.fusion.engine import Engine
 from tracker.live.frame_results import MOST_SHOWN, ShownFrame
@@ -39,9 +40,7 @@ class HandCommands:
     def __init__(self, process: EngineProcess, side: str) -> None:
         self._process, self._target = process, f"hand {side}"
 
-    def command(
-        self, work: Callable[[Engine], T], answer: Callable[[T], None] | None = None
-    ) -> None:
+    def command(self, work: Callable[[Engine], T], answer: Callable[[T], None] = ignore) -> None:
         self._process.ask_later(self._target, "command", work, answer=answer)
 
     def reset_pose(self) -> None:
@@ -85,7 +84,7 @@ class ApartHand(HandCommands):
         self._calibration: Calibration | None = None
         self._status: Status | None = None
         self._reference: Estimate | None = None
-        self._follower: Follower | None = None
+        self._follower: Follower = ignore
         self._subscribers: tuple[Subscriber, ...] = ()  # replaced, never changed
         self._subscribing = threading.Lock()
 
@@ -97,8 +96,7 @@ class ApartHand(HandCommands):
         follower = self._follower
         if arrival is not None:
             self.listeners.feed(estimate, arrival)
-            if follower is not None:
-                follower(estimate, arrival)
+            follower(estimate, arrival)
         self._estimate = estimate
         self._estimates.add(estimate)
         for subscriber in self._subscribers:
@@ -157,8 +155,11 @@ class ApartHand(HandCommands):
 
     # --- CommandedHand
 
-    def follow(self, follower: Follower | None) -> None:
+    def follow(self, follower: Follower) -> None:
         self._follower = follower
+
+    def unfollow(self) -> None:
+        self._follower = ignore
 
     def reference_estimate(self) -> Estimate | None:
         return self._reference

@@ -179,12 +179,11 @@ class EngineProcess:
         return found
 
     def ask_later(
-        self, target: str, method: str, *args: Any, answer: Callable[[Any], None] | None
+        self, target: str, method: str, *args: Any, answer: Callable[[Any], None]
     ) -> None:
         """Calls a method there; ``answer`` receives the result in another thread."""
         number = next(self._numbers)
-        if answer is not None:
-            self._answers[number] = answer
+        self._answers[number] = answer
         self._send(Asked(number, target, method, args, waits=True))
 
     def _send(self, item: object) -> bool:

@@ -72,7 +72,7 @@ def apart_setup(process: EngineProcess, opened: Opened) -> EngineSetup:
             profile=hand.profile,
             close=close,
             connection=replace(hand.connection, device=device),
-            live=LivePart(engine, hands[side], make_recorder, added.wearer, engine.pass_on),
+            live=LivePart(engine, hands[side], make_recorder, added.wearer, engine),
             simulated=hand.simulated,
             truth=added.truths.get(side),
             listeners=hands[side].listeners.by_name,

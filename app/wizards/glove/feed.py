@@ -14,6 +14,7 @@ import numpy as np
 
 from app.engines.engine_host import EngineHost
 from app.words import event_text, tr
+from tracker.base.callbacks import ignore
 from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -89,8 +90,8 @@ class PortFeed:
         self,
         path: str,
         imu_count: int,
-        ask: Callable[[str], None] | None = None,
-        free: Callable[[], None] | None = None,
+        ask: Callable[[str], None] = ignore,
+        free: Callable[[], None] = ignore,
         baud: int = BAUD,
     ) -> None:
         self._link = GloveLink(GlovePort(path, baud), imu_count, LinkParams(baud=baud))
@@ -112,15 +113,13 @@ class PortFeed:
             return list(self._samples)
 
     def ask(self, part: str) -> None:
-        if self._ask is not None:
-            self._ask(part)
+        self._ask(part)
 
     def stop(self) -> None:
         self._stopping.set()
         self._thread.join()
         self._link.close()
-        if self._free is not None:
-            self._free()
+        self._free()
 
     def _run(self) -> None:
         while not self._stopping.is_set():

@@ -26,6 +26,7 @@ from app.wizards.glove.feed import GloveFeed, PortFeed, SessionFeed, simulated_f
 from app.wizards.glove.pages import StillPage, WigglePage
 from app.wizards.sizing import fit_to_screen
 from app.words import error_text
+from tracker.base.callbacks import ignore
 from tracker.base.errors import DeviceError
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -158,13 +159,13 @@ class GloveSetup(QDialog):
             self.choice.words.setText(error_text(error))
             return None
 
-    def _leave(self, then: Callable[[], None] | None = None) -> None:
+    def _leave(self, then: Callable[[], None] = ignore) -> None:
         """Call ``then`` once the port has been released."""
         feed, self._feed = self._feed, None
         if feed is not None:
             title = self.tr("Releasing the glove's port")
             self._tasks.run(title, lambda _progress: feed.stop(), ended=then)
-        elif then is not None:
+        else:
             then()
 
     def _use(self) -> None:

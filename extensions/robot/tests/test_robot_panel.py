@@ -45,6 +45,9 @@ class Followed(ScriptedEngine):
     def follow(self, follower) -> None:
         self.follower = follower
 
+    def unfollow(self) -> None:
+        self.follower = None
+
     def record(self, message: Message) -> None:
         self.recorded.append(message)
 

@@ -182,7 +182,7 @@ class RobotLink(QObject):
         process, self._process = self._process, None
         followed, self._followed = self._followed, None
         if followed is not None:
-            followed.follow(None)
+            followed.unfollow()
         if process is not None:
             process.close()
         playback, self._playback = self._playback, None

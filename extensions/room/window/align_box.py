@@ -179,7 +179,7 @@ class AlignBox(QGroupBox):
         """End the movement; nothing of it remains."""
         self._timer.stop()
         if self._door is not None:
-            self._door.taker.tap(None)
+            self._door.taker.untap()
         self._door = self._run = None
         self.show_hands()
 

@@ -23,7 +23,7 @@ def open_study_window(study: Study, participant: str, simulated: bool) -> int:
     def then(context: CommandContext) -> None:
         show_study(context, study, participant)
 
-    return open_window(WindowOptions(demo=simulated, devices=not simulated), then)
+    return open_window(WindowOptions(demo=simulated, devices=not simulated), then, alone=False)
 
 
 def show_study(context: CommandContext, study: Study, participant: str = "") -> None:

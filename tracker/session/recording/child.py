@@ -118,15 +118,14 @@ class _Inbox:
         self._items.put(what)
 
 
-def serve(pipe: Connection, prepare: Callable[[], object] | None) -> None:
+def serve(pipe: Connection, prepare: Callable[[], object]) -> None:
     """Run until the pipe closes; ``prepare`` is called first."""
     inbox = _Inbox(pipe)
     for name in ("SIGINT", "SIGHUP"):  # intended for the window, which then ends this process
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), signal.SIG_IGN)
     signal.signal(signal.SIGTERM, lambda *_: inbox.post(_Signal.ENDS))
-    if prepare is not None:
-        prepare()
+    prepare()
     load_describer()
     while (item := inbox.get()) is not _Signal.ENDS:
         if isinstance(item, Begin) and not _recorded(item, pipe, inbox):
@@ -164,7 +163,7 @@ class _Recording:
         self, recorder: SessionRecorder, begin: Begin, pipe: Connection, inbox: _Inbox
     ) -> None:
         self._recorder, self._pipe, self._inbox = recorder, pipe, inbox
-        self._sink: Sink = begin.companion(recorder) if begin.companion else recorder
+        self._sink: Sink = begin.companion(recorder)
         self._readers: dict[int, SlotReader] = {}
         p = begin.params
         self._images = ImageCompression(p.images, p.jpeg_quality, lambda: inbox.post(_Signal.IMAGE))

@@ -13,6 +13,7 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any, Protocol
 
+from tracker.base.callbacks import ignore
 from tracker.base.child import start_child
 from tracker.base.errors import FileError, GlovetrackError
 from tracker.base.notices import notice
@@ -31,6 +32,7 @@ from tracker.session.recording.wire import (
     PackedState,
     RecordingFailed,
     Sink,
+    alone,
 )
 from tracker.session.writer import RecorderParams, SessionRecorder
 
@@ -144,7 +146,7 @@ class RecorderProcess:
     ``prepare`` is pickled, and called in the process first.
     """
 
-    def __init__(self, prepare: Callable[[], object] | None = None) -> None:
+    def __init__(self, prepare: Callable[[], object] = ignore) -> None:
         self._pipe, self._process = start_child("glovetrack-recorder", serve, prepare)
         _limit_sending(self._pipe)
         self._reported: RecordingFailed | None = None
@@ -263,7 +265,7 @@ class RecorderProcesses:
     Methods may be called from any thread.
     """
 
-    def __init__(self, prepare: Callable[[], object] | None = None) -> None:
+    def __init__(self, prepare: Callable[[], object] = ignore) -> None:
         self._prepare = prepare
         self._lock = threading.Lock()
         self._idle: list[RecorderProcess] = []
@@ -281,7 +283,7 @@ class RecorderProcesses:
         path: Path,
         info: SessionInfo,
         params: RecorderParams | None = None,
-        companion: Callable[[SessionRecorder], Sink] | None = None,
+        companion: Callable[[SessionRecorder], Sink] = alone,
     ) -> RemoteRecorder:
         """Begin a recording as `SessionRecorder` does, in another process."""
         self.warm()

@@ -43,6 +43,11 @@ class OfHand(NamedTuple):
 Item = Message | OfHand | ImageInSlot | SlotsOpened | PackedState
 
 
+def alone(recorder: SessionRecorder) -> Sink:
+    """The recorder itself, for recordings without a companion."""
+    return recorder
+
+
 @dataclass(frozen=True)
 class Begin:
     """``companion`` wraps the recorder in its process, for example to add the truth of a
@@ -51,7 +56,7 @@ class Begin:
     path: Path
     info: SessionInfo
     params: RecorderParams
-    companion: Callable[[SessionRecorder], Sink] | None = None
+    companion: Callable[[SessionRecorder], Sink] = alone
 
 
 class End(NamedTuple):
