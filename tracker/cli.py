@@ -93,7 +93,10 @@ def _add_commands(
         if command is None:
             continue
         child = commands.add_parser(
-            name, help=command.help, description=command.description or None
+            name,
+            help=command.help,
+            description=command.description or None,
+            epilog=command.epilog or None,
         )
         if words is not None and chosen is None:
             continue

@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Sequence
+from dataclasses import dataclass, field
 
+from tracker.base.arguments import argument
 from tracker.base.command import Command
 from tracker.cli import build_parser, subparsers_of, with_window
 
@@ -63,14 +65,17 @@ def _words(parser: argparse.ArgumentParser) -> list[str]:
     return [str(choice) for action in positional for choice in action.choices or ()]
 
 
-def _add(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "shell", choices=(*SCRIPTS, "words"), metavar="|".join(SCRIPTS), help="your shell"
+@dataclass(frozen=True, kw_only=True)
+class CompletionArguments:
+    """Arguments of ``glovetrack completion``."""
+
+    shell: str = field(
+        metadata=argument("your shell", choices=(*SCRIPTS, "words"), metavar="|".join(SCRIPTS))
     )
-    parser.add_argument("words", nargs=argparse.REMAINDER, help=argparse.SUPPRESS)
+    words: tuple[str, ...] = field(metadata=argument(argparse.SUPPRESS, nargs=argparse.REMAINDER))
 
 
-def _complete(args: argparse.Namespace) -> None:
+def _complete(args: CompletionArguments) -> None:
     if args.shell == "words":
         print("\n".join(candidates(args.words)))
     else:
@@ -81,7 +86,7 @@ COMPLETION = Command(
     "completion",
     "print a script that completes commands and options in a shell",
     _complete,
-    add=_add,
+    options=CompletionArguments,
     description="For bash: glovetrack completion bash > "
     "~/.local/share/bash-completion/completions/glovetrack. For zsh, write it to a file "
     "_glovetrack in a folder of $fpath. For fish: glovetrack completion fish > "

@@ -8,22 +8,22 @@ from tracker.base.registry import deferred
 WINDOW = Command(
     "window",
     "open the window (default without a command)",
-    deferred("app.window.start:open_from_arguments"),
-    add=deferred("app.window.window_options:add_window"),
+    deferred("app.window.start:open_window"),
+    options=deferred("app.window.window_options:WindowOptions"),
     opens_window=True,
 )
 DEMO = Command(
     "demo",
     "open the window with a simulated glove and camera",
     deferred("app.window.start:open_demo"),
-    add=deferred("app.window.window_options:add_window"),
+    options=deferred("app.window.window_options:WindowOptions"),
     opens_window=True,
 )
 DEVICES = Command(
     "devices",
     "open the window with the connected glove and camera",
     deferred("app.window.start:open_devices"),
-    add=deferred("app.window.window_options:add_window"),
+    options=deferred("app.window.window_options:WindowOptions"),
     opens_window=True,
 )
 REMOTE = Command(

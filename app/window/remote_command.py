@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import argparse
 import json
+from dataclasses import dataclass, field
 from typing import Any
 
 from app.platform.single_instance import ask
+from tracker.base.arguments import add_options, argument, options_of
 from tracker.base.errors import GlovetrackError
 from tracker.base.notices import from_json, notice
-from tracker.base.terminal import add_json, check_json, finish
+from tracker.base.terminal import check_json, finish, force_option, json_option
 from tracker.hand.names import CHAINS
 from tracker.streaming.remote.client import UDP_PORT
 from tracker.streaming.remote.client import ask as ask_over_udp
@@ -20,12 +22,13 @@ _NOT_SENT = ("json", "force", "to", "command", "parser", "log_level", "log_file"
 
 def control(args: argparse.Namespace) -> int:
     """Send the request and print the answer. Raises GlovetrackError if it was not carried out."""
-    check_json(args)
+    shared = options_of(RemoteArguments, args)
+    check_json(shared)
     request = {k: v for k, v in vars(args).items() if k not in _NOT_SENT}
-    answer = _send(request, args.to)
+    answer = _send(request, shared.to)
     if not answer["ok"]:
         raise GlovetrackError(from_json(answer) or str(answer.get("error")))
-    finish(args, answer, [answer["text"], *([answer["file"]] if "file" in answer else [])])
+    finish(shared, answer, [answer["text"], *([answer["file"]] if "file" in answer else [])])
     return 0
 
 
@@ -48,16 +51,27 @@ def _address(text: str) -> tuple[str, int]:
     return host, int(port) if colon else UDP_PORT
 
 
+@dataclass(frozen=True, kw_only=True)
+class RemoteArguments:
+    """Arguments of every sub-command; the others are the request itself."""
+
+    to: tuple[str, int] | None = field(
+        default=None,
+        metadata=argument(
+            "control a window on another computer, where remote control over UDP is enabled",
+            type=_address,
+            nargs=None,
+            metavar="HOST[:PORT]",
+        ),
+    )
+    json: str | None = json_option()
+    force: bool = force_option()
+
+
 def add_remote(parser: argparse.ArgumentParser) -> None:
     """Its sub-commands and their arguments."""
     common = argparse.ArgumentParser(add_help=False)
-    common.add_argument(
-        "--to",
-        type=_address,
-        metavar="HOST[:PORT]",
-        help="control a window on another computer, where remote control over UDP is enabled",
-    )
-    add_json(common)
+    add_options(common, RemoteArguments)
     asked = parser.add_subparsers(dest="do", metavar="WHAT", required=True)
     asked.add_parser("start", parents=[common], help="start recording")
     asked.add_parser("stop", parents=[common], help="stop recording")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import argparse
 import os
 import signal
 import sys
@@ -31,7 +30,6 @@ from app.window.report_files import check_report
 from app.window.window_options import WindowOptions
 from resources import folder
 from tracker import __version__
-from tracker.base.arguments import options_of
 from tracker.base.callbacks import ignore
 from tracker.base.command import UsageError
 from tracker.base.errors import ConfigError, GlovetrackError
@@ -55,29 +53,30 @@ ENDS = ("SIGINT", "SIGTERM", "SIGHUP")
 """Signals of Ctrl+C, of a logout or a shutdown, and of a terminal that is closed."""
 
 
-def open_from_arguments(args: argparse.Namespace) -> int:
-    """The command ``window``: returns the exit status."""
-    return open_window(options_of(WindowOptions, args))
-
-
-def open_demo(args: argparse.Namespace) -> int:
+def open_demo(options: WindowOptions) -> int:
     """The command ``demo``: the window with simulated devices."""
-    args.demo = True
-    return open_from_arguments(args)
+    return open_window(replace(options, demo=True))
 
 
-def open_devices(args: argparse.Namespace) -> int:
+def open_devices(options: WindowOptions) -> int:
     """The command ``devices``: the window with the connected ones."""
-    args.devices = True
-    return open_from_arguments(args)
+    return open_window(replace(options, devices=True))
 
 
-def open_window(options: WindowOptions, then: Then = ignore, alone: bool = True) -> int:
-    """Open the window; returns the exit status. ``then`` is called when it is shown. ``alone``: if
-    another window is open, that one is used instead.
+def open_window(options: WindowOptions) -> int:
+    """Open the window, or use the one that is open; returns the exit status.
 
     Raises UsageError for options that contradict each other, and GlovetrackError.
     """
+    return _open(options, ignore, alone=True)
+
+
+def open_another(options: WindowOptions, then: Then) -> int:
+    """As `open_window`, even if another window is open; ``then`` is called when it is shown."""
+    return _open(options, then, alone=False)
+
+
+def _open(options: WindowOptions, then: Then, alone: bool) -> int:
     try:
         _check(options)
     except GlovetrackError as error:

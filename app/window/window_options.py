@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import argparse
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from app.engines.demo_camera import HANDS, LENSES, SCENES
-from tracker.base.arguments import add_options, argument
+from tracker.base.arguments import argument
 from tracker.sensors.protocol import BAUDS
 from tracker.streaming.publisher import JOINT_SETS
 from tracker.streaming.registry import stream_kinds
@@ -102,8 +101,3 @@ class WindowOptions:
         default=Path("demo"), metadata=argument("folder for the report (default: demo)")
     )
     force: bool = field(default=False, metadata=argument("overwrite an earlier report"))
-
-
-def add_window(parser: argparse.ArgumentParser) -> None:
-    """Add the window's options to the parser of a command."""
-    add_options(parser, WindowOptions)

@@ -2,106 +2,107 @@
 
 from __future__ import annotations
 
-import argparse
 import math
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from tracker.base.arguments import argument
 from tracker.base.command import Command
-from tracker.base.terminal import add_json
+from tracker.base.terminal import force_option, json_option
 
 if TYPE_CHECKING:
     pass
 from tracker.base.registry import deferred
 
 
-def add_apps(parser: argparse.ArgumentParser) -> None:
-    """Arguments of ``apps``."""
-    parser.add_argument("name", metavar="NAME", help="application name; list prints all of them")
-    parser.add_argument(
-        "source", type=Path, nargs="?", metavar="SESSION", help="session to use as input"
-    )
-    parser.add_argument(
-        "--hand",
-        choices=("left", "right"),
-        default="",
-        help="hand to use in a session of both (default: right)",
-    )
-    parser.add_argument(
-        "--simulate", type=float, metavar="S", help="use a simulated hand for this long"
-    )
-    parser.add_argument(
-        "--motion",
-        default="",
-        help="motion of the simulated hand: a recording, or show:NAME for an application",
-    )
-    parser.add_argument("--seed", type=int, default=0, help="random seed of the simulated wearer")
-    parser.add_argument(
-        "--on-truth", action="store_true", help="use the simulator's truth instead of tracking it"
-    )
-    parser.add_argument(
-        "--live",
-        default="",
-        metavar="ADDRESS",
-        help="live stream to use as input: udp, udp:PORT or ws://HOST:PORT",
-    )
-    parser.add_argument(
-        "--glove", default="", help="glove name or file, for a simulated or live hand"
-    )
-    parser.add_argument(
-        "--set",
-        action="append",
-        default=[],
-        metavar="KEY=VALUE",
-        help="change a setting; VALUE is JSON",
-    )
-    parser.add_argument(
-        "-o", "--out", type=Path, help="new session that includes the application's events"
-    )
-    parser.add_argument(
-        "--page",
-        type=int,
-        metavar="PORT",
-        help="show the application in a browser on this computer, in real time",
-    )
-    parser.add_argument(
-        "--check",
-        action="store_true",
-        help="run the recorded application again and compare the events",
-    )
-    add_json(parser)
+@dataclass(frozen=True, kw_only=True)
+class AppsArguments:
+    """Arguments of ``glovetrack apps``."""
 
-
-def add_vehicles(vehicles: argparse.ArgumentParser) -> None:
-    """Arguments of ``vehicles``."""
-    vehicles.add_argument(
-        "--count", type=int, default=200, metavar="N", help="number of vehicles (default: 200)"
+    name: str = field(
+        metadata=argument("application name; list prints all of them", metavar="NAME")
     )
-    vehicles.add_argument(
-        "--port",
-        type=int,
-        default=14550,
-        help="UDP port of the first 250 vehicles; each further 250 use the next port",
+    source: Path | None = field(
+        default=None, metadata=argument("session to use as input", "SESSION")
     )
-    vehicles.add_argument(
-        "--seconds",
-        type=float,
-        default=math.inf,
-        help="stop after this time (default: run until interrupted)",
+    hand: str = field(
+        default="",
+        metadata=argument(
+            "hand to use in a session of both (default: right)", choices=("left", "right")
+        ),
     )
+    simulate: float | None = field(
+        default=None, metadata=argument("use a simulated hand for this long", metavar="S")
+    )
+    motion: str = field(
+        default="",
+        metadata=argument(
+            "motion of the simulated hand: a recording, or show:NAME for an application"
+        ),
+    )
+    seed: int = field(default=0, metadata=argument("random seed of the simulated wearer"))
+    on_truth: bool = field(
+        default=False, metadata=argument("use the simulator's truth instead of tracking it")
+    )
+    live: str = field(
+        default="",
+        metadata=argument(
+            "live stream to use as input: udp, udp:PORT or ws://HOST:PORT", metavar="ADDRESS"
+        ),
+    )
+    glove: str = field(
+        default="", metadata=argument("glove name or file, for a simulated or live hand")
+    )
+    set: tuple[str, ...] = field(
+        default=(),
+        metadata=argument("change a setting; VALUE is JSON", action="append", metavar="KEY=VALUE"),
+    )
+    out: Path | None = field(
+        default=None,
+        metadata=argument("new session that includes the application's events", "-o", "--out"),
+    )
+    page: int | None = field(
+        default=None,
+        metadata=argument(
+            "show the application in a browser on this computer, in real time", metavar="PORT"
+        ),
+    )
+    check: bool = field(
+        default=False,
+        metadata=argument("run the recorded application again and compare the events"),
+    )
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 APPS = Command(
     "apps",
     "run an application that the hand controls: touch, swarm, arm, place",
     deferred("extensions.applications.command_runs:run_application"),
-    add=add_apps,
+    options=AppsArguments,
 )
+
+
+@dataclass(frozen=True, kw_only=True)
+class VehiclesArguments:
+    """Arguments of ``glovetrack vehicles``."""
+
+    count: int = field(
+        default=200, metadata=argument("number of vehicles (default: 200)", metavar="N")
+    )
+    port: int = field(
+        default=14550,
+        metadata=argument("UDP port of the first 250 vehicles; each further 250 use the next port"),
+    )
+    seconds: float = field(
+        default=math.inf, metadata=argument("stop after this time (default: run until interrupted)")
+    )
 
 
 VEHICLES = Command(
     "vehicles",
     "simulate vehicles that receive MAVLink over UDP",
     deferred("extensions.applications.command_runs:simulate_vehicles"),
-    add=add_vehicles,
+    options=VehiclesArguments,
 )

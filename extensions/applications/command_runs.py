@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import argparse
 import json
 from collections.abc import Callable
 from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
+from extensions.applications.command import AppsArguments, VehiclesArguments
 from extensions.applications.registry import titles
 from extensions.applications.runner import Outcome
 from extensions.applications.session_run import Into, replay, run_into
@@ -24,7 +24,7 @@ from tracker.simulation.shows import shown_application
 MOST_VEHICLES = 5000
 
 
-def run_application(args: argparse.Namespace) -> int:
+def run_application(args: AppsArguments) -> int:
     """``glovetrack apps``."""
     if args.name == "list":
         print("\n".join(f"{name:<16}{title}" for name, title in titles().items()))
@@ -34,7 +34,7 @@ def run_application(args: argparse.Namespace) -> int:
     return _check(args, files) if args.check else _run(args, files)
 
 
-def _run(args: argparse.Namespace, files: list[Path]) -> int:
+def _run(args: AppsArguments, files: list[Path]) -> int:
     settings = _shown(args) | dict(_setting(text) for text in args.set)
     with ExitStack() as stack:
         source = _source(args, stack)
@@ -49,7 +49,7 @@ def _run(args: argparse.Namespace, files: list[Path]) -> int:
     return 0
 
 
-def _shown(args: argparse.Namespace) -> dict[str, Any]:
+def _shown(args: AppsArguments) -> dict[str, Any]:
     """Settings that go with the motion of a simulated wearer who uses this application."""
     if args.simulate is None:
         return {}
@@ -57,7 +57,7 @@ def _shown(args: argparse.Namespace) -> dict[str, Any]:
     return dict(settings) if name == args.name else {}
 
 
-def _page(args: argparse.Namespace, stack: ExitStack) -> Callable[[str, Outcome], None]:
+def _page(args: AppsArguments, stack: ExitStack) -> Callable[[str, Outcome], None]:
     """What shows each sample on a page, where one was asked for."""
     if args.page is None:
         return lambda title, outcome: None
@@ -71,7 +71,7 @@ def _page(args: argparse.Namespace, stack: ExitStack) -> Callable[[str, Outcome]
     return page.look
 
 
-def _check(args: argparse.Namespace, files: list[Path]) -> int:
+def _check(args: AppsArguments, files: list[Path]) -> int:
     if args.source is None:
         raise ConfigError(notice("option.requires", option="--check", needed="SESSION"))
     reports = [r for r in replay(args.source) if args.name in (r.application, "all")]
@@ -82,13 +82,13 @@ def _check(args: argparse.Namespace, files: list[Path]) -> int:
     return 0 if same else 1
 
 
-def _source(args: argparse.Namespace, stack: ExitStack) -> Any:
+def _source(args: AppsArguments, stack: ExitStack) -> Any:
     asked = [args.source is not None, args.simulate is not None, bool(args.live)]
     if sum(asked) != 1:
         raise ConfigError(notice("option.exactly_one", options=("SESSION", "--simulate", "--live")))
     if args.source is not None:
         return stack.enter_context(recorded(args.source, args.hand))
-    if args.live:
+    if args.simulate is None:
         return streamed(args.live, args.glove)
     options = SimulateOptions(
         glove=args.glove,
@@ -100,7 +100,7 @@ def _source(args: argparse.Namespace, stack: ExitStack) -> Any:
     return simulated(options, args.on_truth)
 
 
-def simulate_vehicles(args: argparse.Namespace) -> int:
+def simulate_vehicles(args: VehiclesArguments) -> int:
     """``glovetrack vehicles``."""
     if not 1 <= args.count <= MOST_VEHICLES:
         raise ConfigError(notice("option.range", option="--count", low=1, high=MOST_VEHICLES))

@@ -2,48 +2,50 @@
 
 from __future__ import annotations
 
-import argparse
+from dataclasses import dataclass, field
 from pathlib import Path
 
+from tracker.base.arguments import argument
 from tracker.base.command import Command
 from tracker.base.registry import deferred
-from tracker.base.terminal import add_json
+from tracker.base.terminal import force_option, json_option
 
 
-def add_conformance(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    parser.add_argument(
-        "file", type=Path, nargs="?", metavar="FILE", help="session or Isaac record"
+@dataclass(frozen=True, kw_only=True)
+class ConformanceArguments:
+    """Arguments of ``glovetrack conformance``."""
+
+    file: Path | None = field(default=None, metadata=argument("session or Isaac record", "FILE"))
+    simulate: bool = field(
+        default=False,
+        metadata=argument(
+            "check a simulated wearer who follows the script", "--simulate", "--simulated"
+        ),
     )
-    parser.add_argument(
-        "--simulate",
-        "--simulated",
-        action="store_true",
-        help="check a simulated wearer who follows the script",
-    )
-    parser.add_argument(
-        "--hands",
-        choices=("left", "right", "both"),
+    hands: str = field(
         default="",
-        help="hands to check (default: all)",
+        metadata=argument("hands to check (default: all)", choices=("left", "right", "both")),
     )
-    parser.add_argument(
-        "--glove", default="", help="glove of the simulated wearer; --hands selects the side"
+    glove: str = field(
+        default="", metadata=argument("glove of the simulated wearer; --hands selects the side")
     )
-    parser.add_argument("--seed", type=int, default=1, help="random seed of the simulated wearer")
-    parser.add_argument(
-        "-o",
-        "--output",
-        type=Path,
-        metavar="PAGE.html|DIR",
-        help="HTML page, or a folder for it (created if missing)",
+    seed: int = field(default=1, metadata=argument("random seed of the simulated wearer"))
+    output: Path | None = field(
+        default=None,
+        metadata=argument(
+            "HTML page, or a folder for it (created if missing)",
+            "-o",
+            "--output",
+            metavar="PAGE.html|DIR",
+        ),
     )
-    add_json(parser)
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 CONFORMANCE = Command(
     "conformance",
     "check hand data against the requirements of robot labs and write an HTML page",
     deferred("extensions.conformance.command_runs:check_conformance"),
-    add=add_conformance,
+    options=ConformanceArguments,
 )

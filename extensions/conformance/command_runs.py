@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import argparse
 from pathlib import Path
 
+from extensions.conformance.command import ConformanceArguments
 from extensions.conformance.isaac.writer import write_records
 from extensions.conformance.page import as_json, page
 from extensions.conformance.run import TakeVerdict, judge, read_take, simulated_takes
@@ -17,7 +17,7 @@ from tracker.base.terminal import check_json, finish, progress_line
 SIMULATED = "simulated"  # name of a simulated wearer's page in a folder
 
 
-def check_conformance(args: argparse.Namespace) -> int:
+def check_conformance(args: ConformanceArguments) -> int:
     """Run the check; returns exit status 1 if a rule failed."""
     if args.simulate == (args.file is not None):
         raise ConfigError(notice("option.exactly_one", options=("SESSION", "--simulate")))
@@ -27,7 +27,7 @@ def check_conformance(args: argparse.Namespace) -> int:
     out = _page_path(args.output, args.file)
     for path in _outputs(out, args.simulate):
         check_target(path, args.force, inputs)
-    if args.simulate:
+    if args.file is None:
         verdict = _simulated(args, sides or ("left", "right"), out)
     else:
         verdict = judge(args.file.name, *read_take(args.file, sides))
@@ -52,7 +52,7 @@ def _outputs(out: Path | None, simulated: bool) -> list[Path]:
     return [out, labels_path(take), take] if simulated else [out]
 
 
-def _simulated(args: argparse.Namespace, sides: tuple[str, ...], out: Path | None) -> TakeVerdict:
+def _simulated(args: ConformanceArguments, sides: tuple[str, ...], out: Path | None) -> TakeVerdict:
     """The verdict; record and labels are written next to the page ``out``, if any."""
     records, steps = simulated_takes(sides, args.seed, args.glove, progress_line("tracking"))
     takes = [take_of(side, found) for side, found in records.items()]

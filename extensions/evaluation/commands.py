@@ -3,59 +3,64 @@
 from __future__ import annotations
 
 import argparse
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from extensions.evaluation.session_names import SESSIONS
-from extensions.evaluation.trials import add_trials
+from extensions.evaluation.trials import BlobTrials, Trials
 from extensions.evaluation.vist.options import VistOptions
-from tracker.base.arguments import add_options
+from tracker.base.arguments import INCLUDED, argument
 from tracker.base.command import Command
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 from tracker.base.registry import deferred
-from tracker.base.terminal import add_json
+from tracker.base.terminal import force_option, json_option
 
 EVALUATE = Command[argparse.Namespace](
     "evaluate", "run the papers' evaluation protocols, or simulate device faults"
 )
 
 
-def add_effects(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    parser.add_argument(
-        "--participants", type=int, default=4, metavar="N", help="number of people (default: 4)"
+@dataclass(frozen=True, kw_only=True)
+class EvaluateEffectsArguments:
+    """Arguments of ``glovetrack evaluate effects``."""
+
+    participants: int = field(
+        default=4, metadata=argument("number of people (default: 4)", metavar="N")
     )
-    parser.add_argument(
-        "--seconds", type=float, default=20.0, metavar="S", help="duration of each (default: 20)"
+    seconds: float = field(
+        default=20.0, metadata=argument("duration of each (default: 20)", metavar="S")
     )
-    parser.add_argument(
-        "--short", action="store_true", help="track only without errors and with all of them"
+    short: bool = field(
+        default=False, metadata=argument("track only without errors and with all of them")
     )
-    add_trials(parser)
+    trials: Trials = field(metadata=INCLUDED)
 
 
 EFFECTS = Command(
     "evaluate effects",
     "track hands with the errors of real cameras and IMUs, each alone and all at once",
     deferred("extensions.evaluation.effects.command:evaluate_effects"),
-    add=add_effects,
+    options=EvaluateEffectsArguments,
 )
 
 
-def add_faults(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    parser.add_argument("--count", type=int, default=1000, help="number of faults (default: 1000)")
-    parser.add_argument("--seed", type=int, default=1, help="random seed")
-    add_json(parser)
+@dataclass(frozen=True, kw_only=True)
+class EvaluateFaultsArguments:
+    """Arguments of ``glovetrack evaluate faults``."""
+
+    count: int = field(default=1000, metadata=argument("number of faults (default: 1000)"))
+    seed: int = field(default=1, metadata=argument("random seed"))
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 FAULTS = Command(
     "evaluate faults",
     "inject random faults into a simulated glove and camera and check the tracking",
     deferred("extensions.evaluation.faults.command:evaluate_faults"),
-    add=add_faults,
+    options=EvaluateFaultsArguments,
 )
-
 
 DURATIONS = (0.2, 0.5, 1.0, 3.0, 10.0)
 """s that the hand is out of view."""
@@ -65,104 +70,71 @@ DEVICES = {"ideal": (False,), "real": (True,), "both": (False, True)}
 """By the values of ``--devices``: whether devices have errors, in turn."""
 
 
-def add_gaps(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    parser.add_argument(
-        "--participants", type=int, default=4, metavar="N", help="number of people (default: 4)"
+@dataclass(frozen=True, kw_only=True)
+class EvaluateGapsArguments:
+    """Arguments of ``glovetrack evaluate gaps``."""
+
+    participants: int = field(
+        default=4, metadata=argument("number of people (default: 4)", metavar="N")
     )
-    parser.add_argument(
-        "--gaps",
-        type=float,
-        nargs="+",
-        default=list(DURATIONS),
-        metavar="S",
-        help="how long the hand is out of view (default: 0.2 0.5 1 3 10)",
+    gaps: tuple[float, ...] = field(
+        default=DURATIONS,
+        metadata=argument(
+            "how long the hand is out of view (default: 0.2 0.5 1 3 10)", nargs="+", metavar="S"
+        ),
     )
-    parser.add_argument(
-        "--devices",
-        choices=list(DEVICES),
+    devices: str = field(
         default="both",
-        help="without errors, or with those of real devices (default: both in turn)",
+        metadata=argument(
+            "without errors, or with those of real devices (default: both in turn)",
+            choices=list(DEVICES),
+        ),
     )
-    add_trials(parser, images=False)
+    trials: BlobTrials = field(metadata=INCLUDED)
 
 
 GAPS = Command(
     "evaluate gaps",
     "track hands that leave the view for a while and return",
     deferred("extensions.evaluation.gaps.command:evaluate_gaps"),
-    add=add_gaps,
+    options=EvaluateGapsArguments,
 )
 
 
-def add_gestures(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    parser.add_argument(
-        "--people", type=int, default=8, metavar="N", help="number of simulated people (default: 8)"
+@dataclass(frozen=True, kw_only=True)
+class EvaluateGesturesArguments:
+    """Arguments of ``glovetrack evaluate gestures``."""
+
+    people: int = field(
+        default=8, metadata=argument("number of simulated people (default: 8)", metavar="N")
     )
-    parser.add_argument(
-        "--seconds",
-        type=float,
-        default=60.0,
-        help="duration of free motion per person (default: 60)",
+    seconds: float = field(
+        default=60.0, metadata=argument("duration of free motion per person (default: 60)")
     )
-    parser.add_argument("--seed", type=int, default=1, help="random seed of the first person")
-    parser.add_argument("--glove", default="", help="glove name or file")
-    parser.add_argument(
-        "--on-truth", action="store_true", help="use the simulator's truth instead of tracking it"
+    seed: int = field(default=1, metadata=argument("random seed of the first person"))
+    glove: str = field(default="", metadata=argument("glove name or file"))
+    on_truth: bool = field(
+        default=False, metadata=argument("use the simulator's truth instead of tracking it")
     )
-    parser.add_argument(
-        "--motion",
-        type=Path,
-        nargs="+",
-        default=[],
-        metavar="FILE",
-        help="use recorded hand motion instead of simulated people",
+    motion: tuple[Path, ...] = field(
+        default=(),
+        metadata=argument(
+            "use recorded hand motion instead of simulated people", nargs="+", metavar="FILE"
+        ),
     )
-    add_json(parser)
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 GESTURES = Command(
     "evaluate gestures",
     "score gesture recognition on simulated or recorded hands",
     deferred("extensions.evaluation.gestures.command:evaluate_gestures"),
-    add=add_gestures,
+    options=EvaluateGesturesArguments,
 )
 
 
-def add_robot(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    parser.add_argument(
-        "--trials",
-        type=int,
-        default=10,
-        metavar="N",
-        help="number of pick-and-place trials (default: 10)",
-    )
-    parser.add_argument(
-        "--people",
-        type=int,
-        default=4,
-        metavar="N",
-        help="number of people who move at random (default: 4)",
-    )
-    parser.add_argument(
-        "--seconds",
-        type=float,
-        default=20.0,
-        help="duration of random motion per person (default: 20)",
-    )
-    parser.add_argument("--seed", type=int, default=1, help="random seed of the first person")
-    parser.add_argument(
-        "--side", choices=("right", "left"), default="right", help="side of the robot hand"
-    )
-    parser.add_argument(
-        "--model", default="shadow", help="robot hand: a name, or the path of an MJCF file"
-    )
-    add_json(parser)
-
-
-def _evaluate_robot(args: argparse.Namespace) -> int:
+def _evaluate_robot(args: EvaluateRobotArguments) -> int:
     """Raises ConfigError if the robot's folder was removed."""
     try:
         from extensions.evaluation.robot.command import evaluate_robot  # deferred: another part
@@ -173,14 +145,38 @@ def _evaluate_robot(args: argparse.Namespace) -> int:
     return evaluate_robot(args)
 
 
+@dataclass(frozen=True, kw_only=True)
+class EvaluateRobotArguments:
+    """Arguments of ``glovetrack evaluate robot``."""
+
+    trials: int = field(
+        default=10, metadata=argument("number of pick-and-place trials (default: 10)", metavar="N")
+    )
+    people: int = field(
+        default=4,
+        metadata=argument("number of people who move at random (default: 4)", metavar="N"),
+    )
+    seconds: float = field(
+        default=20.0, metadata=argument("duration of random motion per person (default: 20)")
+    )
+    seed: int = field(default=1, metadata=argument("random seed of the first person"))
+    side: str = field(
+        default="right", metadata=argument("side of the robot hand", choices=("right", "left"))
+    )
+    model: str = field(
+        default="shadow", metadata=argument("robot hand: a name, or the path of an MJCF file")
+    )
+    json: str | None = json_option()
+    force: bool = force_option()
+
+
 ROBOT = Command(
     "evaluate robot",
     "evaluate a robot hand that follows a wearer and picks up a cube",
     _evaluate_robot,
-    add=add_robot,
+    options=EvaluateRobotArguments,
     extra="robot",
 )
-
 
 SPEEDS = (0.5, 1.0, 2.0)
 """Peak speeds of the hand, m/s."""
@@ -190,59 +186,42 @@ TURNING_DEG = 200.0
 """Peak rate of the camera in the last row, °/s; the hand then moves with the first speed."""
 
 
-def add_shutter(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    parser.add_argument(
-        "--participants", type=int, default=4, metavar="N", help="number of people (default: 4)"
+@dataclass(frozen=True, kw_only=True)
+class EvaluateShutterArguments:
+    """Arguments of ``glovetrack evaluate shutter``."""
+
+    participants: int = field(
+        default=4, metadata=argument("number of people (default: 4)", metavar="N")
     )
-    parser.add_argument(
-        "--seconds", type=float, default=20.0, metavar="S", help="duration of each (default: 20)"
+    seconds: float = field(
+        default=20.0, metadata=argument("duration of each (default: 20)", metavar="S")
     )
-    parser.add_argument(
-        "--readout-ms",
-        type=float,
+    readout_ms: float = field(
         default=18.0,
-        metavar="MS",
-        help="time from the first row's exposure to the last one's (default: 18)",
+        metadata=argument(
+            "time from the first row's exposure to the last one's (default: 18)", metavar="MS"
+        ),
     )
-    parser.add_argument(
-        "--speeds",
-        type=float,
-        nargs="+",
-        default=list(SPEEDS),
-        metavar="M/S",
-        help="peak speeds of the hand (default: 0.5 1 2)",
+    speeds: tuple[float, ...] = field(
+        default=SPEEDS,
+        metadata=argument("peak speeds of the hand (default: 0.5 1 2)", nargs="+", metavar="M/S"),
     )
-    parser.add_argument(
-        "--turning-deg",
-        type=float,
+    turning_deg: float = field(
         default=TURNING_DEG,
-        metavar="DEG",
-        help="peak rate of the camera in the table's last row, °/s (default: 200; 0: no such row)",
+        metadata=argument(
+            "peak rate of the camera in the table's last row, °/s (default: 200; 0: no such row)",
+            metavar="DEG",
+        ),
     )
-    add_trials(parser)
+    trials: Trials = field(metadata=INCLUDED)
 
 
 SHUTTER = Command(
     "evaluate shutter",
     "track fast hands, and hands in front of a turning camera, with a rolling shutter",
     deferred("extensions.evaluation.shutter.command:evaluate_shutter"),
-    add=add_shutter,
+    options=EvaluateShutterArguments,
 )
-
-
-def add_inertial(p: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    add_json(p)
-    p.add_argument(
-        "--broad", type=Path, metavar="DIR", help="folder with recordings of the BROAD data set"
-    )
-    p.add_argument("--seeds", type=_count, metavar="N", help="runs per case (default: 5)")
-    p.add_argument(
-        "--rates", type=_rate, nargs="+", metavar="HZ", help="sampling rates (default: 100 1000)"
-    )
-    p.add_argument("--out", type=Path, metavar="DIR", help="folder for figures (PNG)")
-    p.add_argument("--quick", action="store_true", help="fewer durations and seeds, 100 Hz only")
 
 
 def _count(text: str) -> int:
@@ -259,41 +238,66 @@ def _rate(text: str) -> float:
     return value
 
 
+@dataclass(frozen=True, kw_only=True)
+class EvaluateInertialArguments:
+    """Arguments of ``glovetrack evaluate inertial``."""
+
+    json: str | None = json_option()
+    force: bool = force_option()
+    broad: Path | None = field(
+        default=None,
+        metadata=argument("folder with recordings of the BROAD data set", metavar="DIR"),
+    )
+    seeds: int | None = field(
+        default=None, metadata=argument("runs per case (default: 5)", type=_count, metavar="N")
+    )
+    rates: tuple[float, ...] | None = field(
+        default=None,
+        metadata=argument(
+            "sampling rates (default: 100 1000)", type=_rate, nargs="+", metavar="HZ"
+        ),
+    )
+    out: Path | None = field(
+        default=None, metadata=argument("folder for figures (PNG)", metavar="DIR")
+    )
+    quick: bool = field(default=False, metadata=argument("fewer durations and seeds, 100 Hz only"))
+
+
 INERTIAL = Command(
     "evaluate inertial",
     "estimate finger angles from IMUs, following the protocol of Lemak et al. 2020",
     deferred("extensions.evaluation.inertial.commands:evaluate_inertial_command"),
-    add=add_inertial,
+    options=EvaluateInertialArguments,
 )
 
 
-def add_hands(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    parser.add_argument(
-        "--pairs", type=int, default=20, metavar="N", help="number of pairs of hands (default: 20)"
+@dataclass(frozen=True, kw_only=True)
+class EvaluateHandsArguments:
+    """Arguments of ``glovetrack evaluate hands``."""
+
+    pairs: int = field(
+        default=20, metadata=argument("number of pairs of hands (default: 20)", metavar="N")
     )
-    parser.add_argument(
-        "--seconds", type=float, default=20.0, metavar="S", help="duration per pair (default: 20)"
+    seconds: float = field(
+        default=20.0, metadata=argument("duration per pair (default: 20)", metavar="S")
     )
-    parser.add_argument("--engine", default="chain", help="chain or vist")
-    parser.add_argument(
-        "--fps", type=float, default=60.0, help="frame rate of the camera, Hz (default: 60)"
+    engine: str = field(default="chain", metadata=argument("chain or vist"))
+    fps: float = field(
+        default=60.0, metadata=argument("frame rate of the camera, Hz (default: 60)")
     )
-    parser.add_argument(
-        "--session",
+    session: str = field(
         default="",
-        choices=("", *SESSIONS),
-        help="other sessions: " + ", ".join(f"{name} ({what})" for name, what in SESSIONS.items()),
+        metadata=argument(
+            "other sessions: " + ", ".join(f"{name} ({what})" for name, what in SESSIONS.items()),
+            choices=("", *SESSIONS),
+        ),
     )
-    parser.add_argument("--seed", type=int, default=0, help="random seed of the first pair")
-    parser.add_argument(
-        "--processes",
-        type=int,
-        default=1,
-        metavar="N",
-        help="number of worker processes (default: 1)",
+    seed: int = field(default=0, metadata=argument("random seed of the first pair"))
+    processes: int = field(
+        default=1, metadata=argument("number of worker processes (default: 1)", metavar="N")
     )
-    add_json(parser)
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 HANDS = Command(
@@ -301,16 +305,19 @@ HANDS = Command(
     "track two simulated hands that cross and occlude each other; compare with each hand alone, "
     "and with each hand occluded by a hand without markers",
     deferred("extensions.evaluation.hands.command:evaluate_hands"),
-    add=add_hands,
+    options=EvaluateHandsArguments,
 )
 
 
-def add_vist(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    add_options(parser, VistOptions)
-    add_json(parser)
-    parser.add_argument(
-        "--out", type=Path, metavar="DIR", help="folder for figures and an HTML report"
+@dataclass(frozen=True, kw_only=True)
+class EvaluateVistArguments:
+    """Arguments of ``glovetrack evaluate vist``."""
+
+    options: VistOptions = field(metadata=INCLUDED)
+    json: str | None = json_option()
+    force: bool = force_option()
+    out: Path | None = field(
+        default=None, metadata=argument("folder for figures and an HTML report", metavar="DIR")
     )
 
 
@@ -318,34 +325,39 @@ VIST = Command(
     "evaluate vist",
     "track simulated hands in the three experiments of Lee et al. 2021",
     deferred("extensions.evaluation.vist.command:run"),
-    add=add_vist,
+    options=EvaluateVistArguments,
 )
 
 
-def add_fingers(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    parser.add_argument(
-        "sessions", nargs="+", metavar="SESSION", help="session with the true hand, as simulated"
+@dataclass(frozen=True, kw_only=True)
+class EvaluateFingersArguments:
+    """Arguments of ``glovetrack evaluate fingers``."""
+
+    sessions: tuple[str, ...] = field(
+        metadata=argument("session with the true hand, as simulated", metavar="SESSION")
     )
-    parser.add_argument(
-        "--colours",
+    colours: str = field(
         default="",
-        metavar="PROFILE",
-        help="colour profile that includes the glove's cloth (default: the recorded profile)",
+        metadata=argument(
+            "colour profile that includes the glove's cloth (default: the recorded profile)",
+            metavar="PROFILE",
+        ),
     )
-    parser.add_argument(
-        "--distal",
-        nargs="+",
-        default=[],
-        metavar="SESSION",
-        help="sessions of the same motion with a glove with patches on the end segments",
+    distal: tuple[str, ...] = field(
+        default=(),
+        metadata=argument(
+            "sessions of the same motion with a glove with patches on the end segments",
+            nargs="+",
+            metavar="SESSION",
+        ),
     )
-    add_json(parser)
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 FINGERS = Command(
     "evaluate fingers",
     "track sessions with and without the glove's cloth; compare each fingertip with the true hand",
     deferred("extensions.evaluation.fingers.command:evaluate_fingers"),
-    add=add_fingers,
+    options=EvaluateFingersArguments,
 )

@@ -2,37 +2,36 @@
 
 from __future__ import annotations
 
-import argparse
+from dataclasses import dataclass, field
 
+from tracker.base.arguments import argument
 from tracker.base.command import Command
 from tracker.base.registry import deferred
-from tracker.base.terminal import add_json
+from tracker.base.terminal import force_option, json_option
 
 
-def _add(command: argparse.ArgumentParser) -> None:
-    command.add_argument("--port", default="", help="serial port of the glove (default: search)")
-    command.add_argument(
-        "--camera", required=True, help="number of the camera, or address or path of a stream"
+@dataclass(frozen=True, kw_only=True)
+class LoopBackArguments:
+    """Arguments of ``glovetrack loop-back``."""
+
+    port: str = field(default="", metadata=argument("serial port of the glove (default: search)"))
+    camera: str = field(
+        metadata=argument("number of the camera, or address or path of a stream", "--camera")
     )
-    command.add_argument(
-        "--calibration", required=True, metavar="FILE", help="calibration of the camera"
+    calibration: str = field(
+        metadata=argument("calibration of the camera", "--calibration", metavar="FILE")
     )
-    command.add_argument(
-        "--channel", type=int, default=0, help="motor output of the light (default: 0)"
-    )
-    command.add_argument(
-        "--seconds", type=float, default=30.0, metavar="S", help="duration (default: 30)"
-    )
-    add_json(command)
-    command.epilog = (
-        "Connect an LED, with its resistor, to a motor output of the glove, and put it into the "
-        "picture of the left camera. It blinks at irregular times."
-    )
+    channel: int = field(default=0, metadata=argument("motor output of the light (default: 0)"))
+    seconds: float = field(default=30.0, metadata=argument("duration (default: 30)", metavar="S"))
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 LOOP_BACK = Command(
     "loop-back",
     "measure the delay from a command to the glove to its light in an image",
     deferred("extensions.loopback.command_runs:run_loop_back"),
-    add=_add,
+    options=LoopBackArguments,
+    epilog="Connect an LED, with its resistor, to a motor output of the glove, and put it into the "
+    "picture of the left camera. It blinks at irregular times.",
 )

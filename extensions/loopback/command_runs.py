@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-import argparse
 from typing import Any
 
 import numpy as np
 
+from extensions.loopback.command import LoopBackArguments
 from extensions.loopback.measure import LoopBack, measure
 from glovetrack.devices import glove_devices, with_camera
 from tracker.base.terminal import check_json, finish
 from tracker.sensors.glove_link import GloveLink
 
 
-def run_loop_back(args: argparse.Namespace) -> int:
+def run_loop_back(args: LoopBackArguments) -> int:
     check_json(args, [])
     devices = with_camera(glove_devices(args.port), args.camera, args.calibration)
     glove = devices.gloves[0].source

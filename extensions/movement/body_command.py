@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import argparse
-
 import numpy as np
 
+from extensions.movement.commands import OpensimBodyArguments
 from extensions.movement.motion_file import MotionCourse
 from extensions.movement.whole_body import DorsumPlacement, WholeBody, combined
 from tracker.base.files import whole_files
@@ -14,7 +13,7 @@ from tracker.session.export.run import sides_of
 from tracker.session.reader import SessionReader
 
 
-def opensim_body(args: argparse.Namespace) -> int:
+def opensim_body(args: OpensimBodyArguments) -> int:
     """Write the model and the motion."""
     inputs = [path for path in (args.session, args.body, args.motion) if path is not None]
     check_json(args, inputs)

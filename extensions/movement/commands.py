@@ -2,85 +2,101 @@
 
 from __future__ import annotations
 
-import argparse
+from dataclasses import dataclass, field
 from pathlib import Path
 
+from tracker.base.arguments import argument
 from tracker.base.command import Command
 from tracker.base.registry import deferred
-from tracker.base.terminal import add_json
+from tracker.base.terminal import force_option, json_option
 
 
-def add_opensim_body(command: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    command.add_argument("session", type=Path, metavar="SESSION", help="a tracked session")
-    command.add_argument(
-        "--body", type=Path, required=True, metavar="BODY.osim", help="model of the body, OpenSim 4"
+@dataclass(frozen=True, kw_only=True)
+class OpensimBodyArguments:
+    """Arguments of ``glovetrack opensim-body``."""
+
+    session: Path = field(metadata=argument("a tracked session", metavar="SESSION"))
+    body: Path = field(
+        metadata=argument("model of the body, OpenSim 4", "--body", metavar="BODY.osim")
     )
-    command.add_argument(
-        "-o",
-        "--output",
-        type=Path,
-        required=True,
-        metavar="OUT.osim",
-        help="the body with the hands; OUT.mot is written next to it",
-    )
-    command.add_argument(
-        "--motion", type=Path, metavar="BODY.mot", help="coordinates of the body over time"
-    )
-    command.add_argument(
-        "--offset",
-        type=float,
-        default=0.0,
-        metavar="S",
-        help="time in BODY.mot of the session's first estimate, s (default: 0)",
-    )
-    for side, usual in (("right", "hand_r"), ("left", "hand_l")):
-        command.add_argument(
-            f"--{side}",
-            default=usual,
-            metavar="SEGMENT",
-            help=f"body segment of the {side} hand (default: {usual})",
+    output: Path = field(
+        metadata=argument(
+            "the body with the hands; OUT.mot is written next to it",
+            "-o",
+            "--output",
+            metavar="OUT.osim",
         )
-        command.add_argument(
-            f"--place-{side}",
-            type=float,
+    )
+    motion: Path | None = field(
+        default=None, metadata=argument("coordinates of the body over time", metavar="BODY.mot")
+    )
+    offset: float = field(
+        default=0.0,
+        metadata=argument(
+            "time in BODY.mot of the session's first estimate, s (default: 0)", metavar="S"
+        ),
+    )
+    right: str = field(
+        default="hand_r",
+        metadata=argument("body segment of the right hand (default: hand_r)", metavar="SEGMENT"),
+    )
+    place_right: tuple[float, ...] | None = field(
+        default=None,
+        metadata=argument(
+            "pose of the right dorsum in its segment, m and degrees (body-fixed x, y, z)",
             nargs=6,
             metavar=("X", "Y", "Z", "RX", "RY", "RZ"),
-            help=f"pose of the {side} dorsum in its segment, m and degrees (body-fixed x, y, z)",
-        )
-    add_json(command)
+        ),
+    )
+    left: str = field(
+        default="hand_l",
+        metadata=argument("body segment of the left hand (default: hand_l)", metavar="SEGMENT"),
+    )
+    place_left: tuple[float, ...] | None = field(
+        default=None,
+        metadata=argument(
+            "pose of the left dorsum in its segment, m and degrees (body-fixed x, y, z)",
+            nargs=6,
+            metavar=("X", "Y", "Z", "RX", "RY", "RZ"),
+        ),
+    )
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 OPENSIM_BODY = Command(
     "opensim-body",
     "attach tracked hands to a whole-body OpenSim model",
     deferred("extensions.movement.body_command:opensim_body"),
-    add=add_opensim_body,
+    options=OpensimBodyArguments,
 )
 
 
-def add_report(command: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    command.add_argument(
-        "sessions", type=Path, nargs="+", metavar="SESSION", help="sessions or folders of sessions"
+@dataclass(frozen=True, kw_only=True)
+class ReportArguments:
+    """Arguments of ``glovetrack report``."""
+
+    sessions: tuple[Path, ...] = field(
+        metadata=argument("sessions or folders of sessions", metavar="SESSION")
     )
-    command.add_argument(
-        "-o",
-        "--output",
-        type=Path,
-        required=True,
-        metavar="REPORT.html",
-        help="the HTML page; the table is written next to it",
+    output: Path = field(
+        metadata=argument(
+            "the HTML page; the table is written next to it",
+            "-o",
+            "--output",
+            metavar="REPORT.html",
+        )
     )
-    command.add_argument(
-        "--anonymous", action="store_true", help="omit names of recordings and participants"
+    anonymous: bool = field(
+        default=False, metadata=argument("omit names of recordings and participants")
     )
-    add_json(command)
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 REPORT = Command(
     "report",
     "summarise recordings in one HTML page and one table",
     deferred("extensions.movement.report.command:report"),
-    add=add_report,
+    options=ReportArguments,
 )

@@ -2,84 +2,85 @@
 
 from __future__ import annotations
 
-import argparse
+from dataclasses import dataclass, field
 from pathlib import Path
 
+from tracker.base.arguments import argument
 from tracker.base.command import Command
 from tracker.base.registry import deferred
-from tracker.base.terminal import add_json
+from tracker.base.terminal import force_option, json_option
 from tracker.hand.names import SIDES
 
 
-def add_import(command: argparse.ArgumentParser) -> None:
-    """Arguments of ``import-reference``."""
-    command.add_argument(
-        "reference", type=Path, metavar="REFERENCE", help="C3D, TRC, TSV, CSV or BVH file"
+@dataclass(frozen=True, kw_only=True)
+class ImportReferenceArguments:
+    """Arguments of ``glovetrack import-reference``."""
+
+    reference: Path = field(
+        metadata=argument("C3D, TRC, TSV, CSV or BVH file", metavar="REFERENCE")
     )
-    command.add_argument("session", type=Path, metavar="SESSION", help="the tracked session")
-    command.add_argument(
-        "-o", "--output", type=Path, required=True, metavar="OUT.mcap", help="the new session"
+    session: Path = field(metadata=argument("the tracked session", metavar="SESSION"))
+    output: Path = field(metadata=argument("the new session", "-o", "--output", metavar="OUT.mcap"))
+    mapping: Path | None = field(
+        default=None, metadata=argument("names of points, columns of a CSV, unit", metavar="TOML")
     )
-    command.add_argument(
-        "--mapping", type=Path, metavar="TOML", help="names of points, columns of a CSV, unit"
-    )
-    command.add_argument(
-        "--by",
-        choices=("movement", "clock", "pulse"),
+    by: str = field(
         default="movement",
-        help="how to align the times",
+        metadata=argument("how to align the times", choices=("movement", "clock", "pulse")),
     )
-    command.add_argument(
-        "--pulse", default="", metavar="NAME", help="name of the reference's events or channel"
+    pulse: str = field(
+        default="", metadata=argument("name of the reference's events or channel", metavar="NAME")
     )
-    command.add_argument(
-        "--start", default="", metavar="TIME", help="clock time of the reference's start (ISO 8601)"
+    start: str = field(
+        default="",
+        metadata=argument("clock time of the reference's start (ISO 8601)", metavar="TIME"),
     )
-    command.add_argument(
-        "--no-drift", action="store_true", help="assume that both clocks have the same rate"
+    no_drift: bool = field(
+        default=False, metadata=argument("assume that both clocks have the same rate")
     )
-    command.add_argument(
-        "--register",
-        choices=("offsets", "rigid", "none"),
+    register: str = field(
         default="offsets",
-        help="estimate the laboratory's frame and marker offsets, the frame alone, or nothing",
+        metadata=argument(
+            "estimate the laboratory's frame and marker offsets, the frame alone, or nothing",
+            choices=("offsets", "rigid", "none"),
+        ),
     )
-    command.add_argument("--hand", choices=SIDES, default="", help="hand in a session of both")
-    add_json(command)
-
-
-def add_accuracy(command: argparse.ArgumentParser) -> None:
-    """Arguments of ``accuracy``."""
-    command.add_argument(
-        "sessions",
-        type=Path,
-        nargs="+",
-        metavar="SESSION",
-        help="sessions with a reference, or folders of them",
-    )
-    command.add_argument(
-        "-o", "--output", type=Path, required=True, metavar="REPORT.html", help="the HTML page"
-    )
-    command.add_argument(
-        "--without-offsets", action="store_true", help="do not correct the markers' positions"
-    )
-    command.add_argument(
-        "--anonymous", action="store_true", help="omit the names of recordings and participants"
-    )
-    add_json(command)
+    hand: str = field(default="", metadata=argument("hand in a session of both", choices=SIDES))
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 IMPORT = Command(
     "import-reference",
     "add a motion-capture recording to a session as a reference",
     deferred("extensions.reference.command_runs:import_reference_command"),
-    add=add_import,
+    options=ImportReferenceArguments,
 )
+
+
+@dataclass(frozen=True, kw_only=True)
+class AccuracyArguments:
+    """Arguments of ``glovetrack accuracy``."""
+
+    sessions: tuple[Path, ...] = field(
+        metadata=argument("sessions with a reference, or folders of them", metavar="SESSION")
+    )
+    output: Path = field(
+        metadata=argument("the HTML page", "-o", "--output", metavar="REPORT.html")
+    )
+    without_offsets: bool = field(
+        default=False, metadata=argument("do not correct the markers' positions")
+    )
+    anonymous: bool = field(
+        default=False, metadata=argument("omit the names of recordings and participants")
+    )
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 ACCURACY = Command(
     "accuracy",
     "report the accuracy of sessions against their references",
     deferred("extensions.reference.command_runs:accuracy_command"),
-    add=add_accuracy,
+    options=AccuracyArguments,
 )

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import argparse
-
 from extensions.reference.accuracy import headline
+from extensions.reference.command import AccuracyArguments, ImportReferenceArguments
 from extensions.reference.importing import ReferenceImportOptions, import_reference
 from extensions.reference.numbers import as_json
 from extensions.reference.remarks import remarks
@@ -13,7 +12,7 @@ from tracker.base.terminal import check_json, finish
 from tracker.session.overview import sessions_in
 
 
-def import_reference_command(args: argparse.Namespace) -> int:
+def import_reference_command(args: ImportReferenceArguments) -> int:
     """Write the session with its reference, and report alignment and registration."""
     files = [args.reference, args.session]
     check_json(args, files)
@@ -44,7 +43,7 @@ def import_reference_command(args: argparse.Namespace) -> int:
     return 0
 
 
-def accuracy_command(args: argparse.Namespace) -> int:
+def accuracy_command(args: AccuracyArguments) -> int:
     """Write the page, and print the line that can be quoted."""
     paths = [path for path, _ in sessions_in(args.sessions)]
     check_json(args, paths)

@@ -2,49 +2,51 @@
 
 from __future__ import annotations
 
-import argparse
+from dataclasses import dataclass, field
 from pathlib import Path
 
-from extensions.robot.commands import add_fingers
+from extensions.robot.commands import fingers_option
 from extensions.robot.library import SHADOW
+from tracker.base.arguments import argument
 from tracker.base.command import Command
 from tracker.base.registry import deferred
-from tracker.base.terminal import add_force
+from tracker.base.terminal import force_option
 
 
-def add_config(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    parser.add_argument(
-        "model",
-        metavar="MODEL",
-        nargs="?",
+@dataclass(frozen=True, kw_only=True)
+class RetargetingConfigArguments:
+    """Arguments of ``glovetrack retargeting-config``."""
+
+    model: str = field(
         default=SHADOW,
-        help="a robot hand: the path of an MJCF or URDF file (default: shadow)",
+        metadata=argument(
+            "a robot hand: the path of an MJCF or URDF file (default: shadow)", "MODEL"
+        ),
     )
-    parser.add_argument(
-        "--type",
-        dest="kind",
-        choices=("vector", "position", "dexpilot"),
+    kind: str = field(
         default="vector",
-        help="algorithm (default: vector)",
+        metadata=argument(
+            "algorithm (default: vector)", "--type", choices=("vector", "position", "dexpilot")
+        ),
     )
-    add_fingers(parser)
-    parser.add_argument(
-        "--hand",
+    fingers: str = fingers_option()
+    hand: str = field(
         default="",
-        help="hand file of the wearer, for the scaling factor (default: the reference hand)",
+        metadata=argument(
+            "hand file of the wearer, for the scaling factor (default: the reference hand)"
+        ),
     )
-    parser.add_argument(
-        "-o", "--out", type=Path, required=True, metavar="FILE.yml", help="configuration to write"
+    out: Path = field(
+        metadata=argument("configuration to write", "-o", "--out", metavar="FILE.yml")
     )
-    add_force(parser)
+    force: bool = force_option()
 
 
 CONFIG = Command(
     "retargeting-config",
     "write a dex-retargeting configuration for a robot hand",
     deferred("extensions.retargeting.command_runs:write_config"),
-    add=add_config,
+    options=RetargetingConfigArguments,
     description="Writes the configuration file of dex-retargeting (vector, position or DexPilot) "
     "for the robot hand in an MJCF or URDF file: links, landmarks, scaling factor, and the "
     "rotation to the hand's base. For an MJCF file, a URDF is written next to it.",

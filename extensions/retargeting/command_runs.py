@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import argparse
-
+from extensions.retargeting.command import RetargetingConfigArguments
 from extensions.retargeting.config import config_text, dex_hand, links_suffice
 from extensions.robot.finger_map import map_given
 from extensions.robot.hand import load_hand, read_hand
@@ -16,7 +15,7 @@ from tracker.glove import library
 GLOVES = {"right": "vist-small", "left": "vist-small-left"}
 
 
-def write_config(args: argparse.Namespace) -> None:
+def write_config(args: RetargetingConfigArguments) -> None:
     """Write the configuration and, if the file is not a URDF whose links end at the fingertips,
     the URDF that it names."""
     need_mujoco()

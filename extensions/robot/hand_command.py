@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import argparse
 import math
 from typing import Any
 
+from extensions.robot.commands import RobotHandArguments
 from extensions.robot.finger_map import map_given, write_map
 from extensions.robot.settings import RobotSettings
 from extensions.robot.survey import FingerRow, HandSurvey, survey_hand
@@ -14,7 +14,7 @@ from tracker.base.files import check_target
 from tracker.base.terminal import check_json, finish
 
 
-def show_robot_hand(args: argparse.Namespace) -> int:
+def show_robot_hand(args: RobotHandArguments) -> int:
     """Print the fingers; write their links."""
     check_json(args)
     if args.out:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import argparse
 import json
 from collections.abc import Callable, Iterable
 from dataclasses import asdict
+from pathlib import Path
 from typing import Any
 
+from extensions.robot.commands import TeleopArguments
 from extensions.robot.driver import RobotDriver
 from extensions.robot.finger_map import map_given
 from extensions.robot.library import need_mujoco
@@ -26,7 +27,7 @@ from tracker.session.reader import SessionReader
 from tracker.streaming.datagram import DatagramSocket
 
 
-def teleoperate(args: argparse.Namespace) -> int:
+def teleoperate(args: TeleopArguments) -> int:
     """Drive the robot hand, or check a recorded drive."""
     given = [args.source is not None, args.listen is not None, args.simulate is not None]
     if sum(given) != 1:
@@ -37,14 +38,14 @@ def teleoperate(args: argparse.Namespace) -> int:
         raise ConfigError(notice("option.requires", option="-o, --check", needed="SESSION"))
     check_json(args, [args.source] if args.source else [])
     need_mujoco()
-    if args.check:
-        return _check(args)
     if args.source is not None:
-        return _session(args)
-    return _live(args) if args.listen is not None else _script(args)
+        return (_check if args.check else _session)(args, args.source)
+    if args.simulate is not None:
+        return _script(args, args.simulate)
+    return _live(args, args.listen or "")
 
 
-def _settings(args: argparse.Namespace, side: str) -> RobotSettings:
+def _settings(args: TeleopArguments, side: str) -> RobotSettings:
     return RobotSettings(
         model=args.model,
         fingers=map_given(args.fingers).text,
@@ -56,19 +57,19 @@ def _settings(args: argparse.Namespace, side: str) -> RobotSettings:
     )
 
 
-def _check(args: argparse.Namespace) -> int:
-    again = drive_again(args.source)
+def _check(args: TeleopArguments, source: Path) -> int:
+    again = drive_again(source)
     same = again.different == 0 and again.compared > 0
     lines = [f"{again.robot}: {again.compared} states recomputed, {again.different} differ"]
-    finish(args, asdict(again), lines, [args.source])
+    finish(args, asdict(again), lines, [source])
     return 0 if same else 1
 
 
-def _session(args: argparse.Namespace) -> int:
+def _session(args: TeleopArguments, source: Path) -> int:
     if args.out:
-        check_target(args.out, args.force, [args.source])
+        check_target(args.out, args.force, [source])
     figures = DriveFigures()
-    with SessionReader(args.source, watch=progress_line("driving")) as reader:
+    with SessionReader(source, watch=progress_line("driving")) as reader:
         driver = driver_of(reader, _settings(args, reader.info.side))
         with _StateSender(args.send, driver) as send:
             outputs = drive(reader, driver, figures, send)
@@ -80,25 +81,25 @@ def _session(args: argparse.Namespace) -> int:
     return _finish(args, driver, figures)
 
 
-def _live(args: argparse.Namespace) -> int:
+def _live(args: TeleopArguments, listen: str) -> int:
     driver = RobotDriver(Teleop(_settings(args, "right")))
     figures = DriveFigures()
     with _StateSender(args.send, driver) as send:
-        follow_stream(driver, args.listen, args.seconds, figures, send)
+        follow_stream(driver, listen, args.seconds, figures, send)
     return _finish(args, driver, figures)
 
 
-def _script(args: argparse.Namespace) -> int:
+def _script(args: TeleopArguments, seed: int) -> int:
     driver = RobotDriver(Teleop(_settings(args, "right")))
     figures = DriveFigures()
     with _StateSender(args.send, driver) as send:
-        result = pick_and_place(driver.teleop, args.simulate, figures.count, send)
+        result = pick_and_place(driver.teleop, seed, figures.count, send)
     outcome = "Cube placed" if result.placed else "Cube not placed"
     return _finish(args, driver, figures, [f"{outcome}, {result.off_mm:.0f} mm from its target."])
 
 
 def _finish(
-    args: argparse.Namespace,
+    args: TeleopArguments,
     driver: RobotDriver,
     figures: DriveFigures,
     more: Iterable[str] = (),

@@ -3,37 +3,41 @@
 from __future__ import annotations
 
 import argparse
+from dataclasses import dataclass, field
 from pathlib import Path
 
+from tracker.base.arguments import argument
 from tracker.base.command import Command
 from tracker.base.registry import deferred
-from tracker.base.terminal import add_force
+from tracker.base.terminal import force_option
 from tracker.hand.names import SIDES
-
-
-def _add(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("session", type=Path, help="recording of the movement")
-    parser.add_argument("-o", "--out", type=Path, required=True, help="the alignment file")
-    parser.add_argument("--side", choices=SIDES, default="", help="hand, in a recording of both")
-    parser.add_argument(
-        "--start", type=float, default=0.0, metavar="S", help="beginning of the movement, s"
-    )
-    parser.add_argument(
-        "--end", type=float, default=float("inf"), metavar="S", help="end of the movement, s"
-    )
-    add_force(parser)
-
 
 ROOM = Command[argparse.Namespace](
     "room", "align trackers of other systems (OptiTrack, SteamVR, VMC) with the hands"
 )
 
 
-ALIGN = Command[argparse.Namespace](
+@dataclass(frozen=True, kw_only=True)
+class RoomAlignArguments:
+    """Arguments of ``glovetrack room align``."""
+
+    session: Path = field(metadata=argument("recording of the movement"))
+    out: Path = field(metadata=argument("the alignment file", "-o", "--out"))
+    side: str = field(default="", metadata=argument("hand, in a recording of both", choices=SIDES))
+    start: float = field(
+        default=0.0, metadata=argument("beginning of the movement, s", metavar="S")
+    )
+    end: float = field(
+        default=float("inf"), metadata=argument("end of the movement, s", metavar="S")
+    )
+    force: bool = force_option()
+
+
+ALIGN = Command(
     "room align",
     "find how a tracker is fixed to the hand, from a recorded movement",
     deferred("extensions.room.command_runs:run_align"),
-    add=_add,
+    options=RoomAlignArguments,
     description="The wearer turns the hand in all directions for 15 s while its wrist rests on a "
     "point. The recording must contain the glove and the tracker. An existing file is extended by "
     "the other hand; --force replaces it.",

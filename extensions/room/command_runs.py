@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import argparse
 import math
 
 from extensions.room import alignment_file
 from extensions.room.alignment import solve
+from extensions.room.command import RoomAlignArguments
 from extensions.room.movement import recorded_movement
 from tracker.base.files import check_target
 
 
-def run_align(args: argparse.Namespace) -> None:
+def run_align(args: RoomAlignArguments) -> None:
     add = args.out.exists() and not args.force
     known = alignment_file.read(args.out) if add else {}
     check_target(args.out, force=True, inputs=[args.session])

@@ -2,35 +2,39 @@
 
 from __future__ import annotations
 
-import argparse
+from dataclasses import dataclass, field
 from pathlib import Path
 
+from tracker.base.arguments import argument
 from tracker.base.command import Command
 from tracker.base.registry import deferred, names_of
-from tracker.base.terminal import add_force
+from tracker.base.terminal import force_option
 
 PAPERS = ("a4", "letter")
 
 
-def add_print(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    parser.add_argument(
-        "what",
-        choices=names_of("sheets"),
-        help="marker patches and their positions, the wiring, the camera's calibration board, or a "
-        "sheet of another extension",
+@dataclass(frozen=True, kw_only=True)
+class PrintArguments:
+    """Arguments of ``glovetrack print``."""
+
+    what: str = field(
+        metadata=argument(
+            "marker patches and their positions, the wiring, the camera's calibration board, or a "
+            "sheet of another extension",
+            choices=names_of("sheets"),
+        )
     )
-    parser.add_argument("-o", "--out", type=Path, required=True, help="the PDF file")
-    parser.add_argument(
-        "--glove", default="", help="glove name or file (default: the first bundled glove)"
+    out: Path = field(metadata=argument("the PDF file", "-o", "--out"))
+    glove: str = field(
+        default="", metadata=argument("glove name or file (default: the first bundled glove)")
     )
-    parser.add_argument("--paper", choices=PAPERS, default=PAPERS[0], help="paper size")
-    add_force(parser)
+    paper: str = field(default=PAPERS[0], metadata=argument("paper size", choices=PAPERS))
+    force: bool = force_option()
 
 
 PRINT = Command(
     "print",
     "create PDF sheets at true scale for building a glove",
     deferred("extensions.sheets.command_runs:print_sheets"),
-    add=add_print,
+    options=PrintArguments,
 )

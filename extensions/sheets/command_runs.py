@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import argparse
-
+from extensions.sheets.command import PrintArguments
 from extensions.sheets.kinds import SHEETS
 from extensions.sheets.page import save_pages
 from tracker.base.files import check_target, whole_file
 from tracker.glove import library
 
 
-def print_sheets(args: argparse.Namespace) -> int:
+def print_sheets(args: PrintArguments) -> int:
     """Write the PDF file."""
     check_target(args.out, args.force)
     hand, glove = library.load(args.glove or library.DEFAULT_GLOVE)

@@ -3,100 +3,15 @@
 from __future__ import annotations
 
 import argparse
+from dataclasses import dataclass, field
 from pathlib import Path
 
+from tracker.base.arguments import argument
 from tracker.base.command import Command
 from tracker.base.registry import deferred
-from tracker.base.terminal import (
-    add_force,
-    add_json,
-)
+from tracker.base.terminal import force_option, json_option
 
 DESCRIPTION = "A study is described in one TOML file: participants, conditions, tasks, verdicts."
-
-
-def _add_protocol(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("protocol", metavar="PROTOCOL", help="protocol file, or name of an example")
-
-
-def _add_folder(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("source", type=Path, metavar="DIR", help="folder of the study")
-
-
-def _add_check(parser: argparse.ArgumentParser) -> None:
-    _add_protocol(parser)
-    add_json(parser)
-
-
-def _add_run(parser: argparse.ArgumentParser) -> None:
-    _add_protocol(parser)
-    parser.add_argument(
-        "--folder", type=Path, metavar="DIR", help="folder of the study (default: its name)"
-    )
-    parser.add_argument(
-        "--participant", default="", metavar="P01", help="participant (default: the next one)"
-    )
-    parser.add_argument(
-        "--simulated", action="store_true", help="simulate the glove, the camera and the wearer"
-    )
-    parser.add_argument(
-        "--headless",
-        action="store_true",
-        help="run all remaining trials with simulated participants, without a window",
-    )
-
-
-def _add_status(parser: argparse.ArgumentParser) -> None:
-    _add_folder(parser)
-    add_json(parser)
-
-
-def _add_tables(parser: argparse.ArgumentParser) -> None:
-    _add_folder(parser)
-    parser.add_argument(
-        "-o", "--output", type=Path, metavar="CSV", help="table (default: DIR/tables.csv)"
-    )
-    parser.add_argument(
-        "--ablations",
-        action="store_true",
-        help="track each trial again with the engines chain and vist and with variants of them",
-    )
-    parser.add_argument(
-        "--variants",
-        default="",
-        metavar="A,B",
-        help="only these variants, by their names in the table",
-    )
-    parser.add_argument("--processes", type=int, metavar="N", help="default: one per core")
-    add_json(parser)
-
-
-def _add_report(parser: argparse.ArgumentParser) -> None:
-    _add_folder(parser)
-    parser.add_argument(
-        "-o",
-        "--output",
-        type=Path,
-        metavar="OUT",
-        help="folder of the report (default: DIR/report, whose files are replaced)",
-    )
-    add_force(parser)
-    parser.add_argument(
-        "--movement",
-        action="store_true",
-        help="also compare ranges of motion, speed and smoothness of all trials",
-    )
-
-
-def _add_export(parser: argparse.ArgumentParser) -> None:
-    _add_folder(parser)
-    parser.add_argument(
-        "-o", "--output", type=Path, required=True, metavar="OUT", help="folder of the data set"
-    )
-    parser.add_argument(
-        "--anonymous", action="store_true", help="omit dates and notes; labels remain"
-    )
-    add_json(parser)
 
 
 STUDY = Command[argparse.Namespace](
@@ -104,54 +19,156 @@ STUDY = Command[argparse.Namespace](
 )
 
 
-CHECK = Command[argparse.Namespace](
+@dataclass(frozen=True, kw_only=True)
+class StudyCheckArguments:
+    """Arguments of ``glovetrack study check``."""
+
+    protocol: str = field(
+        metadata=argument("protocol file, or name of an example", metavar="PROTOCOL")
+    )
+    json: str | None = json_option()
+    force: bool = force_option()
+
+
+CHECK = Command(
     "study check",
     "check a protocol file and list its participants, trials and duration",
     deferred("extensions.study.command_runs:run_check"),
-    add=_add_check,
+    options=StudyCheckArguments,
     description=DESCRIPTION,
 )
 
 
-RUN = Command[argparse.Namespace](
+@dataclass(frozen=True, kw_only=True)
+class StudyRunArguments:
+    """Arguments of ``glovetrack study run``."""
+
+    protocol: str = field(
+        metadata=argument("protocol file, or name of an example", metavar="PROTOCOL")
+    )
+    folder: Path | None = field(
+        default=None, metadata=argument("folder of the study (default: its name)", metavar="DIR")
+    )
+    participant: str = field(
+        default="", metadata=argument("participant (default: the next one)", metavar="P01")
+    )
+    simulated: bool = field(
+        default=False, metadata=argument("simulate the glove, the camera and the wearer")
+    )
+    headless: bool = field(
+        default=False,
+        metadata=argument("run all remaining trials with simulated participants, without a window"),
+    )
+
+
+RUN = Command(
     "study run",
     "guide a participant through the trials, and continue where the study stopped",
     deferred("extensions.study.command_runs:run_study"),
-    add=_add_run,
+    options=StudyRunArguments,
     description=DESCRIPTION,
     opens_window=True,
 )
 
 
-STATUS = Command[argparse.Namespace](
+@dataclass(frozen=True, kw_only=True)
+class StudyStatusArguments:
+    """Arguments of ``glovetrack study status``."""
+
+    source: Path = field(metadata=argument("folder of the study", metavar="DIR"))
+    json: str | None = json_option()
+    force: bool = force_option()
+
+
+STATUS = Command(
     "study status",
     "show the progress of each participant",
     deferred("extensions.study.command_runs:run_status"),
-    add=_add_status,
+    options=StudyStatusArguments,
 )
 
 
-TABLES = Command[argparse.Namespace](
+@dataclass(frozen=True, kw_only=True)
+class StudyTablesArguments:
+    """Arguments of ``glovetrack study tables``."""
+
+    source: Path = field(metadata=argument("folder of the study", metavar="DIR"))
+    output: Path | None = field(
+        default=None,
+        metadata=argument("table (default: DIR/tables.csv)", "-o", "--output", metavar="CSV"),
+    )
+    ablations: bool = field(
+        default=False,
+        metadata=argument(
+            "track each trial again with the engines chain and vist and with variants of them"
+        ),
+    )
+    variants: str = field(
+        default="",
+        metadata=argument("only these variants, by their names in the table", metavar="A,B"),
+    )
+    processes: int | None = field(
+        default=None, metadata=argument("default: one per core", metavar="N")
+    )
+    json: str | None = json_option()
+    force: bool = force_option()
+
+
+TABLES = Command(
     "study tables",
     "write mean, SD and PCK per condition and keypoint, where trials have a reference",
     deferred("extensions.study.command_runs:run_tables"),
-    add=_add_tables,
+    options=StudyTablesArguments,
     description="The tables of Lee et al. 2021: errors of the four keypoints against the reference "
     "(glovetrack import-reference) or the truth of simulated trials.",
 )
 
 
-EXPORT = Command[argparse.Namespace](
+@dataclass(frozen=True, kw_only=True)
+class StudyExportArguments:
+    """Arguments of ``glovetrack study export``."""
+
+    source: Path = field(metadata=argument("folder of the study", metavar="DIR"))
+    output: Path = field(
+        metadata=argument("folder of the data set", "-o", "--output", metavar="OUT")
+    )
+    anonymous: bool = field(default=False, metadata=argument("omit dates and notes; labels remain"))
+    json: str | None = json_option()
+    force: bool = force_option()
+
+
+EXPORT = Command(
     "study export",
     "write the accepted trials of all participants as one data set (Motion-BIDS)",
     deferred("extensions.study.command_runs:run_export"),
-    add=_add_export,
+    options=StudyExportArguments,
 )
 
 
-REPORT = Command[argparse.Namespace](
+@dataclass(frozen=True, kw_only=True)
+class StudyReportArguments:
+    """Arguments of ``glovetrack study report``."""
+
+    source: Path = field(metadata=argument("folder of the study", metavar="DIR"))
+    output: Path | None = field(
+        default=None,
+        metadata=argument(
+            "folder of the report (default: DIR/report, whose files are replaced)",
+            "-o",
+            "--output",
+            metavar="OUT",
+        ),
+    )
+    force: bool = force_option()
+    movement: bool = field(
+        default=False,
+        metadata=argument("also compare ranges of motion, speed and smoothness of all trials"),
+    )
+
+
+REPORT = Command(
     "study report",
     "write one HTML page about all trials: verdicts, times, touch tests, errors",
     deferred("extensions.study.command_runs:run_report"),
-    add=_add_report,
+    options=StudyReportArguments,
 )

@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
-import argparse
 import contextlib
 from collections.abc import Iterator
 from dataclasses import asdict
 from pathlib import Path
 
+from extensions.study.command import (
+    StudyCheckArguments,
+    StudyExportArguments,
+    StudyReportArguments,
+    StudyRunArguments,
+    StudyStatusArguments,
+    StudyTablesArguments,
+)
 from extensions.study.examples import protocol_path
 from extensions.study.folder import Study, open_study, start_study
 from extensions.study.headless import run_headless
@@ -35,14 +42,14 @@ from tracker.base.terminal import (
 from tracker.session.export.options import ExportOptions
 
 
-def run_check(args: argparse.Namespace) -> None:
+def run_check(args: StudyCheckArguments) -> None:
     path = protocol_path(args.protocol)
     check_json(args, [path])
     protocol, _ = load_protocol(path)
     finish(args, protocol_as_json(protocol), lines_of_protocol(protocol), [path])
 
 
-def run_study(args: argparse.Namespace) -> int:
+def run_study(args: StudyRunArguments) -> int:
     if args.headless and not args.simulated:
         raise UsageError(notice("option.requires", option="--headless", needed="--simulated"))
     path = protocol_path(args.protocol)
@@ -65,13 +72,13 @@ def _run_headless(study: Study, protocol: Protocol, participant: str) -> int:
     return 0
 
 
-def run_status(args: argparse.Namespace) -> None:
+def run_status(args: StudyStatusArguments) -> None:
     check_json(args)
     study = open_study(args.source)
     finish(args, status_as_json(study), lines_of_status(study))
 
 
-def run_tables(args: argparse.Namespace) -> None:
+def run_tables(args: StudyTablesArguments) -> None:
     with _other_extension("evaluation"):
         from extensions.study import retrack, tables  # deferred: need another extension
 
@@ -90,7 +97,7 @@ def run_tables(args: argparse.Namespace) -> None:
     finish(args, {"rows": [asdict(row) for row in rows]}, lines, [out])
 
 
-def run_report(args: argparse.Namespace) -> None:
+def run_report(args: StudyReportArguments) -> None:
     study = open_study(args.source)
     folder = args.output or args.source / "report"
     if args.output is not None:
@@ -101,7 +108,7 @@ def run_report(args: argparse.Namespace) -> None:
         print(folder / "movement.html")
 
 
-def run_export(args: argparse.Namespace) -> None:
+def run_export(args: StudyExportArguments) -> None:
     with _other_extension("movement"):
         from extensions.study.export import export_study  # deferred: needs another
 

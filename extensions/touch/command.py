@@ -2,71 +2,74 @@
 
 from __future__ import annotations
 
-import argparse
+from dataclasses import dataclass, field
 from pathlib import Path
 
+from tracker.base.arguments import argument
 from tracker.base.command import Command
 from tracker.base.registry import deferred
-from tracker.base.terminal import add_json
+from tracker.base.terminal import force_option, json_option
 
 
-def add_touch_test(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    parser.add_argument(
-        "sessions",
-        type=Path,
-        nargs="+",
-        metavar="SESSION",
-        help="session of a touch test; several of one person, who puts the glove on again for "
-        "each, give the repeatability",
+@dataclass(frozen=True, kw_only=True)
+class TouchTestArguments:
+    """Arguments of ``glovetrack touch-test``."""
+
+    sessions: tuple[Path, ...] = field(
+        metadata=argument(
+            "session of a touch test; several of one person, who puts the glove on again for "
+            "each, give the repeatability",
+            metavar="SESSION",
+        )
     )
-    parser.add_argument(
-        "-o",
-        "--output",
-        type=Path,
-        required=True,
-        metavar="REPORT.html",
-        help="the HTML page; for one session, a PDF file of the same name is written next to it",
+    output: Path = field(
+        metadata=argument(
+            "the HTML page; for one session, a PDF file of the same name is written next to it",
+            "-o",
+            "--output",
+            metavar="REPORT.html",
+        )
     )
-    parser.add_argument(
-        "--ruler",
-        type=float,
-        metavar="MM",
-        help="length of the printed line of 260 mm, measured with a ruler (default: the length "
-        "entered in the window; without it, the camera's scale is assumed to be correct)",
+    ruler: float | None = field(
+        default=None,
+        metadata=argument(
+            "length of the printed line of 260 mm, measured with a ruler (default: the length "
+            "entered in the window; without it, the camera's scale is assumed to be correct)",
+            metavar="MM",
+        ),
     )
-    parser.add_argument("--side", default="", help="left or right, of a session of both hands")
-    add_json(parser)
+    side: str = field(default="", metadata=argument("left or right, of a session of both hands"))
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 TOUCH_TEST = Command(
     "touch-test",
     "report how accurate the fingertips of a recorded touch test are",
     deferred("extensions.touch.command_runs:touch_test"),
-    add=add_touch_test,
+    options=TouchTestArguments,
 )
 
 
-def add_touch(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
-    parser.add_argument(
-        "--wearers", type=int, default=20, metavar="N", help="number of wearers (default: 20)"
+@dataclass(frozen=True, kw_only=True)
+class EvaluateTouchArguments:
+    """Arguments of ``glovetrack evaluate touch``."""
+
+    wearers: int = field(
+        default=20, metadata=argument("number of wearers (default: 20)", metavar="N")
     )
-    parser.add_argument("--engine", default="chain", help="chain or vist")
-    parser.add_argument("--seed", type=int, default=1, help="random seed of the first wearer")
-    parser.add_argument(
-        "--processes",
-        type=int,
-        default=1,
-        metavar="N",
-        help="number of worker processes (default: 1)",
+    engine: str = field(default="chain", metadata=argument("chain or vist"))
+    seed: int = field(default=1, metadata=argument("random seed of the first wearer"))
+    processes: int = field(
+        default=1, metadata=argument("number of worker processes (default: 1)", metavar="N")
     )
-    add_json(parser)
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 EVALUATE = Command(
     "evaluate touch",
     "let simulated wearers take the touch test; compare its figures with the true error",
     deferred("extensions.touch.simulated.command:evaluate_touch"),
-    add=add_touch,
+    options=EvaluateTouchArguments,
 )

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import argparse
-
 from extensions.touch.analyse import analyse
+from extensions.touch.command import TouchTestArguments
 from extensions.touch.repeated_report import repeated_json, write_repeated
 from extensions.touch.report import as_json, write_report
 from tracker.base.errors import ConfigError
@@ -14,7 +13,7 @@ from tracker.base.terminal import check_json, finish, progress_line
 RULER_MM = (240.0, 280.0)
 
 
-def touch_test(args: argparse.Namespace) -> int:
+def touch_test(args: TouchTestArguments) -> int:
     """Write the report."""
     if args.ruler is not None and not RULER_MM[0] <= args.ruler <= RULER_MM[1]:
         raise ConfigError(notice("touch.ruler_range"))

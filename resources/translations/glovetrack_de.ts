@@ -149,16 +149,6 @@
     </message>
     <message>
       <location filename="app/jobs/outputs.py" />
-      <source>Closing {}</source>
-      <translation>{} wird geschlossen</translation>
-    </message>
-    <message>
-      <location filename="app/jobs/outputs.py" />
-      <source>Opening {}</source>
-      <translation>{} wird geöffnet</translation>
-    </message>
-    <message>
-      <location filename="app/jobs/outputs.py" />
       <source>The sphere was not placed: the index fingertip is not visible.</source>
       <translation>Die Kugel wurde nicht gesetzt: Die Spitze des Zeigefingers ist nicht sichtbar.</translation>
     </message>
@@ -171,6 +161,16 @@
       <location filename="app/jobs/outputs.py" />
       <source>The stream {} is running.</source>
       <translation>Der Datenstrom {} läuft.</translation>
+    </message>
+    <message>
+      <location filename="app/jobs/outputs.py" />
+      <source>Opening {}</source>
+      <translation>{} wird geöffnet</translation>
+    </message>
+    <message>
+      <location filename="app/jobs/outputs.py" />
+      <source>Closing {}</source>
+      <translation>{} wird geschlossen</translation>
     </message>
     <message>
       <location filename="app/jobs/plugged.py" />

@@ -14,7 +14,7 @@ import pytest
 
 from tests.notices import raises, shows
 from tracker.base import registry
-from tracker.base.arguments import add_options, argument, options_of
+from tracker.base.arguments import INCLUDED, add_options, argument, options_of
 from tracker.base.command import COMMANDS, Command, UsageError
 from tracker.base.errors import ConfigError
 from tracker.cli import main
@@ -74,6 +74,35 @@ def test_wrong_values_are_wrong_usage(words: str) -> None:
     with pytest.raises(SystemExit) as ended:
         parsed(*words.split())
     assert ended.value.code == 2
+
+
+@dataclass(frozen=True)
+class Whole:
+    name: str = field(metadata=argument("its name"))
+    options: Options = field(metadata=INCLUDED)
+    colours: tuple[str, ...] = field(default=(), metadata=argument("one more", action="append"))
+    unit: str = field(default="m", metadata=argument("of length", choices=lambda: ["m", "mm"]))
+    jobs: int = field(default=1, metadata=argument("processes", group="many sessions"))
+
+
+def test_options_of_another_dataclass_are_included_at_their_position() -> None:
+    parser = argparse.ArgumentParser()
+    add_options(parser, Whole)
+    words = "left a.mcap -o b --seed 7 --colours red --colours blue --unit mm --jobs 2"
+    found = options_of(Whole, parser.parse_args(words.split()))
+    assert found.options == Options(Path("a.mcap"), Path("b"), seed=7)
+    assert (found.colours, found.unit, found.jobs) == (("red", "blue"), "mm", 2)
+    text = parser.format_help()
+    order = ["name", "IN", "--out", "--smooth", "--colours", "many sessions:", "--jobs"]
+    places = [text.index(f"  {word}" if word[0] != "m" else word) for word in order[:2]]
+    places += [text.rindex(word) for word in order[2:]]
+    assert places == sorted(places)
+
+
+def test_every_command_has_a_dataclass_of_options() -> None:
+    """Except the one whose sub-commands are words of a request."""
+    others = [n for n in COMMANDS.names() if (c := COMMANDS.get(n)).run and c.add is not None]
+    assert others == ["remote"]
 
 
 # ---- the registry

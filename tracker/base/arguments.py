@@ -1,6 +1,8 @@
 """Command-line arguments from the fields of a dataclass, so that options are declared once.
 
-A field's help is in its metadata: ``field(default=0, metadata=argument("random seed"))``.
+A field's help is in its metadata: ``field(default=0, metadata=argument("random seed"))``. A field
+whose type is itself a dataclass of options, and whose metadata is `INCLUDED`, contributes its
+arguments.
 """
 
 from __future__ import annotations
@@ -14,16 +16,18 @@ from typing import Any, Literal, TypeVar, Union, get_args, get_origin, get_type_
 
 T = TypeVar("T")
 ARGUMENT = "argument"
+INCLUDED: Mapping[str, Any] = {"included": True}
 
 
-def argument(help: str, *flags: str, **more: Any) -> Mapping[str, Any]:
+def argument(help: str, *flags: str, group: str = "", **more: Any) -> Mapping[str, Any]:
     """Metadata of a field that is an argument; ``more`` goes to ``ArgumentParser.add_argument``.
 
     Without ``flags``, a field with a default is the option ``--its-name`` and one without is
     positional. A bool is a flag that changes the default, ``--no-its-name`` where that is true. A
-    tuple accepts several values, a `typing.Literal` one of its values.
+    tuple accepts several values, a `typing.Literal` one of its values. ``group`` is the heading in
+    the help text; ``choices`` may be a function, which is called when the parser is built.
     """
-    return {ARGUMENT: (flags, {"help": help} | more)}
+    return {ARGUMENT: (flags, {"help": help} | more), "group": group}
 
 
 def thousandths(text: str) -> float:
@@ -37,35 +41,55 @@ def thousandths(text: str) -> float:
 def add_options(parser: argparse._ActionsContainer, options: type[Any]) -> None:
     """Add an argument for each field of the dataclass ``options`` that has `argument` metadata."""
     hints = get_type_hints(options)
+    groups: dict[str, argparse._ActionsContainer] = {"": parser}
     for each in _arguments(options):
+        if each.metadata == INCLUDED:
+            add_options(parser, hints[each.name])
+            continue
         flags, more = each.metadata[ARGUMENT]
+        if callable(more.get("choices")):
+            more = more | {"choices": more["choices"]()}
+        name = each.metadata["group"]
+        if name not in groups:
+            groups[name] = parser.add_argument_group(name)
+        into = groups[name]
         required = each.default is MISSING and each.default_factory is MISSING
         more = _of_type(hints[each.name], each.default) | _default(each) | more
+        if more.get("action") == "append":
+            more = {k: v for k, v in more.items() if k != "nargs"} | {"default": []}
         if required and not flags:
-            parser.add_argument(each.name, **more)
+            into.add_argument(each.name, **more)
             continue
         no = "no-" if each.default is True else ""
         flags = flags or (f"--{no}{each.name.replace('_', '-')}",)
         if any(flag.startswith("-") for flag in flags):
             more = {"dest": each.name, "required": required} | more
-            parser.add_argument(*flags, **more)
+            into.add_argument(*flags, **more)
         else:
-            parser.add_argument(each.name, **{"nargs": "?", "metavar": flags[0]} | more)
+            into.add_argument(each.name, **{"nargs": "?", "metavar": flags[0]} | more)
 
 
 def options_of(options: type[T], args: argparse.Namespace, **changes: Any) -> T:
     """``options`` from parsed arguments; ``changes`` replaces or adds values by field."""
+    hints = get_type_hints(options)
     values = {
-        each.name: tuple(value) if isinstance(value, list) else value
+        each.name: options_of(hints[each.name], args)
+        if each.metadata == INCLUDED
+        else _value(getattr(args, each.name))
         for each in _arguments(options)
         if each.name not in changes
-        for value in [getattr(args, each.name)]
     }
     return options(**values, **changes)
 
 
+def _value(parsed: Any) -> Any:
+    return tuple(parsed) if isinstance(parsed, list) else parsed
+
+
 def _arguments(options: type[Any]) -> list[Field[Any]]:
-    return [each for each in fields(options) if ARGUMENT in each.metadata]
+    return [
+        each for each in fields(options) if ARGUMENT in each.metadata or each.metadata == INCLUDED
+    ]
 
 
 def _default(each: Field[Any]) -> dict[str, Any]:

@@ -5,12 +5,12 @@ from __future__ import annotations
 import argparse
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Generic, TypeVar
+from typing import Any, Generic, TypeVar
 
 from tracker.base.arguments import add_options, options_of
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
-from tracker.base.registry import Registry
+from tracker.base.registry import Deferred, Registry
 
 O = TypeVar("O")  # noqa: E741 (options)
 
@@ -33,12 +33,15 @@ class Command(Generic[O]):
     run: Callable[[O], int | None] | None = None
     """Runs the command; returns the exit status (None: 0). It receives an instance of ``options``
     or, without these, the ``argparse.Namespace``. A `GlovetrackError` is printed, exit status 1."""
-    options: type[O] | None = None
-    """A dataclass: each field is an argument (`tracker.base.arguments`)."""
+    options: type[O] | Deferred | None = None
+    """A dataclass: each field is an argument (`tracker.base.arguments`). A deferred one is imported
+    when the command is used."""
     add: Callable[[argparse.ArgumentParser], None] | None = None
     """Adds arguments to the command's parser, instead of or in addition to ``options``."""
     description: str = ""
     """A paragraph for ``glovetrack NAME --help``."""
+    epilog: str = ""
+    """A paragraph below its options."""
     extra: str = ""
     """The optional dependencies that it needs, as in ``pip install "glovetrack[EXTRA]"``."""
     opens_window: bool = False
@@ -47,16 +50,20 @@ class Command(Generic[O]):
     def fill(self, parser: argparse.ArgumentParser) -> None:
         """Add the command's arguments to its parser."""
         if self.options is not None:
-            add_options(parser, self.options)
+            add_options(parser, self._options())
         if self.add is not None:
             self.add(parser)
+
+    def _options(self) -> type[Any]:
+        found: Any = self.options
+        return found.load() if isinstance(found, Deferred) else found
 
     def start(self, args: argparse.Namespace) -> int:
         """Run the command with parsed arguments; returns the exit status."""
         assert self.run is not None, "a group has no run"
         run: Callable[..., int | None] = self.run
         try:
-            return run(args if self.options is None else options_of(self.options, args)) or 0
+            return run(args if self.options is None else options_of(self._options(), args)) or 0
         except ImportError as error:
             if not self.extra:
                 raise

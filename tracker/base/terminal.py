@@ -12,34 +12,50 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import field
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
+from tracker.base.arguments import argument
 from tracker.base.files import check_target, write_whole
 
 _SHOW_EVERY = 0.25  # s
 
 
-def add_json(command: argparse.ArgumentParser) -> None:
-    """``--json FILE`` and the ``--force`` that replaces one."""
-    command.add_argument(
-        "--json", metavar="FILE", help="write the results as JSON (- for standard output)"
-    )
-    add_force(command)
+class JsonOutput(Protocol):
+    """Arguments with the options ``json`` and ``force``."""
+
+    @property
+    def json(self) -> str | None: ...
+
+    @property
+    def force(self) -> bool: ...
+
+
+def json_option() -> Any:
+    """The field ``json: str | None``: the option ``--json FILE``."""
+    more = argument("write the results as JSON (- for standard output)", metavar="FILE")
+    return field(default=None, metadata=more)
+
+
+def force_option() -> Any:
+    """The field ``force: bool``: the option ``--force``."""
+    return field(default=False, metadata=argument("overwrite existing files"))
 
 
 def add_force(command: argparse.ArgumentParser) -> None:
+    """``--force`` for a tool with a parser of its own."""
     command.add_argument("--force", action="store_true", help="overwrite existing files")
 
 
-def check_json(args: argparse.Namespace, inputs: Sequence[Path] = ()) -> None:
+def check_json(args: JsonOutput, inputs: Sequence[Path] = ()) -> None:
     """Before long work: raises FileError if the JSON asked for may not be written there."""
     if args.json and args.json != "-":
         check_target(Path(args.json), args.force, inputs)
 
 
 def finish(
-    args: argparse.Namespace,
+    args: JsonOutput,
     result: dict[str, Any],
     lines: Iterable[str],
     inputs: Sequence[Path] = (),

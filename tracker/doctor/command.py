@@ -2,42 +2,44 @@
 
 from __future__ import annotations
 
-import argparse
+from dataclasses import dataclass, field
 from pathlib import Path
 
+from tracker.base.arguments import argument
 from tracker.base.command import Command
 from tracker.base.registry import deferred
-from tracker.base.terminal import add_json
+from tracker.base.terminal import force_option, json_option
 
 
-def _add(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "-o",
-        "--out",
-        metavar="REPORT",
-        type=Path,
-        help="also write the report to a text file",
+@dataclass(frozen=True, kw_only=True)
+class DoctorArguments:
+    """Arguments of ``glovetrack doctor``."""
+
+    out: Path | None = field(
+        default=None,
+        metadata=argument("also write the report to a text file", "-o", "--out", metavar="REPORT"),
     )
-    parser.add_argument(
-        "--folder",
-        type=Path,
-        default=Path(),
-        help="folder whose disk is tested (default: the current one)",
+    folder: Path = field(
+        default=Path(), metadata=argument("folder whose disk is tested (default: the current one)")
     )
-    parser.add_argument(
-        "--only", metavar="CHECK", nargs="+", help="run these checks only, such as gloves cameras"
+    only: tuple[str, ...] | None = field(
+        default=None,
+        metadata=argument(
+            "run these checks only, such as gloves cameras", metavar="CHECK", nargs="+"
+        ),
     )
-    parser.add_argument(
-        "--fps", type=float, default=30.0, help="images per second to request (default: 30)"
+    fps: float = field(
+        default=30.0, metadata=argument("images per second to request (default: 30)")
     )
-    add_json(parser)
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
-DOCTOR = Command[argparse.Namespace](
+DOCTOR = Command(
     "doctor",
     "check the computer and the devices, with a remedy for each problem",
     deferred("tracker.doctor.command_runs:run_doctor"),
-    add=_add,
+    options=DoctorArguments,
     description="Checks the system, permissions, ports, gloves, cameras, disk, processor and "
     "graphics card. Prints a line per finding: ok, warning or error, what was found, and what to "
     "do about it. The exit status is 1 if there is an error. Devices must not be in use.",

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import argparse
 import platform
 from collections.abc import Sequence
 from datetime import UTC, datetime
@@ -13,13 +12,14 @@ from tracker.base.command import UsageError
 from tracker.base.files import check_target, write_whole
 from tracker.base.notices import notice
 from tracker.base.terminal import check_json, printable, write_json
+from tracker.doctor.command import DoctorArguments
 from tracker.doctor.finding import CHECKS, Result, Verdict, examine
 from tracker.doctor.machine import Machine
 
 PACKAGES = ("numpy", "opencv-python-headless", "pyserial", "numba", "PySide6-Essentials")
 
 
-def run_doctor(args: argparse.Namespace) -> int:
+def run_doctor(args: DoctorArguments) -> int:
     check_json(args)
     if args.out is not None:
         check_target(args.out, args.force)

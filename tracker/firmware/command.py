@@ -3,59 +3,63 @@
 from __future__ import annotations
 
 import argparse
+from dataclasses import dataclass, field
 from pathlib import Path
 
+from tracker.base.arguments import argument
 from tracker.base.command import Command
 from tracker.base.registry import deferred
-from tracker.base.terminal import add_json
-
-
-def _add_show(show: argparse.ArgumentParser) -> None:
-    show.add_argument(
-        "port",
-        nargs="?",
-        help="serial port of the glove, such as /dev/ttyUSB0 or COM5 (default: all ports)",
-    )
-    add_json(show)
-
-
-def _add_write(write: argparse.ArgumentParser) -> None:
-    write.add_argument("port", help="serial port of the glove, such as /dev/ttyUSB0 or COM5")
-    write.add_argument(
-        "--glove-id",
-        type=int,
-        help="number that identifies the glove (default: its current number, or 1)",
-    )
-    write.add_argument(
-        "--baud",
-        type=int,
-        default=250_000,
-        help="baud rate of the new firmware: 250000 (default) or 115200",
-    )
-    write.add_argument(
-        "--image", type=Path, help="Intel HEX file to write instead of the bundled firmware"
-    )
-    write.add_argument(
-        "--old-bootloader",
-        action="store_true",
-        help="use the 57600 baud bootloader of early Arduino Nanos",
-    )
-
+from tracker.base.terminal import force_option, json_option
 
 FIRMWARE = Command[argparse.Namespace]("firmware", "show or write the glove's firmware")
+
+
+@dataclass(frozen=True, kw_only=True)
+class FirmwareShowArguments:
+    """Arguments of ``glovetrack firmware show``."""
+
+    port: str | None = field(
+        default=None,
+        metadata=argument(
+            "serial port of the glove, such as /dev/ttyUSB0 or COM5 (default: all ports)", "port"
+        ),
+    )
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 SHOW = Command(
     "firmware show",
     "show the versions of the bundled firmware and of the connected gloves",
     deferred("tracker.firmware.command_runs:run_show"),
-    add=_add_show,
+    options=FirmwareShowArguments,
 )
+
+
+@dataclass(frozen=True, kw_only=True)
+class FirmwareWriteArguments:
+    """Arguments of ``glovetrack firmware write``."""
+
+    port: str = field(metadata=argument("serial port of the glove, such as /dev/ttyUSB0 or COM5"))
+    glove_id: int | None = field(
+        default=None,
+        metadata=argument("number that identifies the glove (default: its current number, or 1)"),
+    )
+    baud: int = field(
+        default=250_000,
+        metadata=argument("baud rate of the new firmware: 250000 (default) or 115200"),
+    )
+    image: Path | None = field(
+        default=None, metadata=argument("Intel HEX file to write instead of the bundled firmware")
+    )
+    old_bootloader: bool = field(
+        default=False, metadata=argument("use the 57600 baud bootloader of early Arduino Nanos")
+    )
 
 
 WRITE = Command(
     "firmware write",
     "write firmware to a glove and verify it",
     deferred("tracker.firmware.command_runs:run_write"),
-    add=_add_write,
+    options=FirmwareWriteArguments,
 )

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import argparse
-
 from tracker.base.notices import warning
 from tracker.base.terminal import finish
+from tracker.firmware.command import FirmwareShowArguments, FirmwareWriteArguments
 from tracker.firmware.flash import BOOTLOADERS, FlashJob, flash
 from tracker.firmware.image import read_image, shipped_image, version_text
 from tracker.firmware.versions import advice, greeting
 from tracker.sensors.discovery import find_gloves
 
 
-def run_show(args: argparse.Namespace) -> int:
+def run_show(args: FirmwareShowArguments) -> int:
     ours = shipped_image().version
     found = [r for r in find_gloves([args.port] if args.port else None) if r.hello is not None]
     gloves = [
@@ -29,7 +28,7 @@ def run_show(args: argparse.Namespace) -> int:
     return 0
 
 
-def run_write(args: argparse.Namespace) -> int:
+def run_write(args: FirmwareWriteArguments) -> int:
     image = read_image(args.image) if args.image else shipped_image(args.baud)
     before = greeting(args.port)
     number = args.glove_id or (before.glove_id if before else image.glove_id)

@@ -2,24 +2,31 @@
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
-from tracker.base.arguments import options_of
 from tracker.base.errors import GlovetrackError
 from tracker.base.notices import notice
 from tracker.base.terminal import check_json, finish, progress_line
 from tracker.base.workers import WorkersAsked
 from tracker.offline.batch import BatchJob, plan, table, to_json, track_all
 from tracker.offline.colours import check_session, fit_session, session_light
+from tracker.offline.commands import (
+    ColoursCheckArguments,
+    ColoursFitArguments,
+    CropArguments,
+    LightArguments,
+    SimulateArguments,
+    TrackArguments,
+)
 from tracker.offline.crop import crop
-from tracker.offline.options import LENSES_BY_NUMBER, USUAL, SimulateOptions, TrackOptions
+from tracker.offline.options import LENSES_BY_NUMBER, USUAL, TrackOptions
 from tracker.offline.simulate import simulate
 from tracker.offline.track import track
 
 
-def run_crop(args: argparse.Namespace) -> int:
+def run_crop(args: CropArguments) -> int:
     check_json(args, [args.source])
     watch = progress_line("cropping")
     report = crop(args.source, args.out, args.start, args.stop, watch, args.force)
@@ -28,14 +35,14 @@ def run_crop(args: argparse.Namespace) -> int:
     return 0
 
 
-def run_light(args: argparse.Namespace) -> int:
+def run_light(args: LightArguments) -> int:
     check_json(args, [args.file])
     light = session_light(args.file, args.colours)
     finish(args, light.to_json(), light.lines(), [args.file])
     return 0
 
 
-def run_fit_colours(args: argparse.Namespace) -> int:
+def run_fit_colours(args: ColoursFitArguments) -> int:
     fit = fit_session(args.source, args.out, args.colours, args.force)
     before = fit.before
     print(
@@ -47,23 +54,24 @@ def run_fit_colours(args: argparse.Namespace) -> int:
     return 0
 
 
-def run_check_colours(args: argparse.Namespace) -> int:
+def run_check_colours(args: ColoursCheckArguments) -> int:
     check_json(args, [args.source])
     found = check_session(args.source, args.colours)
     finish(args, found.to_json(), found.lines(), [args.source])
     return 0
 
 
-def run_simulate(args: argparse.Namespace) -> int:
-    lenses = LENSES_BY_NUMBER.get(args.lenses, args.lenses)
-    options = options_of(SimulateOptions, args, lenses=lenses)
+def run_simulate(args: SimulateArguments) -> int:
+    given = args.options.lenses
+    options = replace(args.options, lenses=LENSES_BY_NUMBER.get(given, given))
     simulate(args.out, options, progress_line("simulating"), args.force)
     return 0
 
 
-def run_track(args: argparse.Namespace) -> int:
-    settings = USUAL if args.settings == "default" else args.settings
-    options = options_of(TrackOptions, args, settings=settings)
+def run_track(args: TrackArguments) -> int:
+    options = args.options
+    if options.settings == "default":
+        options = replace(options, settings=USUAL)
     jobs = plan(args.sources, args.out)
     if len(jobs) > 1 or args.dask or args.out.is_dir():
         return _track_many(args, jobs, options)
@@ -76,7 +84,7 @@ def run_track(args: argparse.Namespace) -> int:
     return 0
 
 
-def _track_many(args: argparse.Namespace, jobs: Sequence[BatchJob], options: TrackOptions) -> int:
+def _track_many(args: TrackArguments, jobs: Sequence[BatchJob], options: TrackOptions) -> int:
     progress = progress_line(f"tracking {len(jobs)} sessions")
     files = [path for job in jobs for path in (job.source, job.out)]
     check_json(args, files)

@@ -3,224 +3,250 @@
 from __future__ import annotations
 
 import argparse
+from dataclasses import dataclass, field
 from pathlib import Path
 
-from tracker.base.arguments import add_options
+from tracker.base.arguments import INCLUDED, argument
 from tracker.base.command import Command
 from tracker.base.registry import deferred
-from tracker.base.terminal import add_force, add_json
+from tracker.base.terminal import force_option, json_option
 from tracker.offline.options import SimulateOptions, TrackOptions
 
 
-def _add_simulate(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("-o", "--out", type=Path, required=True, help="the new session (.mcap)")
-    add_options(parser, SimulateOptions)
-    add_force(parser)
+@dataclass(frozen=True, kw_only=True)
+class SimulateArguments:
+    """Arguments of ``glovetrack simulate``."""
 
-
-def _add_track(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "sources", type=Path, nargs="+", metavar="IN", help="sessions or folders of sessions"
-    )
-    parser.add_argument(
-        "-o",
-        "--out",
-        type=Path,
-        required=True,
-        help="the new session; for several inputs, a folder",
-    )
-    add_options(parser, TrackOptions)
-    add_json(parser)
-    parser.add_argument(
-        "--jobs", type=int, metavar="N", help="number of worker processes (default: one per core)"
-    )
-    parser.add_argument("--dask", default="", metavar="ADDRESS", help="run on this Dask cluster")
-
-
-def _add_crop(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("source", type=Path, metavar="IN", help="session file")
-    parser.add_argument("-o", "--out", type=Path, required=True, help="the new session")
-    parser.add_argument(
-        "--start",
-        type=float,
-        default=0.0,
-        metavar="S",
-        help="start, in seconds from the beginning (default: 0)",
-    )
-    parser.add_argument(
-        "--stop",
-        type=float,
-        default=None,
-        metavar="S",
-        help="end, in seconds from the beginning (default: the end)",
-    )
-    add_json(parser)
-
-
-def _add_light(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("file", type=Path, metavar="FILE", help="session with images")
-    parser.add_argument(
-        "--colours", default="", help="colour profile name or file (default: the session's profile)"
-    )
-    add_json(parser)
-
-
-def _add_colours_fit(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "-o", "--out", type=Path, required=True, help="the new colour profile (.toml)"
-    )
-    _add_coloured(parser)
-    add_force(parser)
-
-
-def _add_colours_check(parser: argparse.ArgumentParser) -> None:
-    _add_coloured(parser)
-    add_json(parser)
-
-
-def _add_coloured(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("source", type=Path, metavar="SESSION", help="session with images")
-    parser.add_argument(
-        "--colours", default="", help="colour profile name or file (default: the session's profile)"
-    )
+    out: Path = field(metadata=argument("the new session (.mcap)", "-o", "--out"))
+    options: SimulateOptions = field(metadata=INCLUDED)
+    force: bool = force_option()
 
 
 SIMULATE = Command(
     "simulate",
     "simulate a session with known truth",
     deferred("tracker.offline.command_runs:run_simulate"),
-    add=_add_simulate,
+    options=SimulateArguments,
 )
+
+
+@dataclass(frozen=True, kw_only=True)
+class TrackArguments:
+    """Arguments of ``glovetrack track``."""
+
+    sources: tuple[Path, ...] = field(
+        metadata=argument("sessions or folders of sessions", metavar="IN")
+    )
+    out: Path = field(
+        metadata=argument("the new session; for several inputs, a folder", "-o", "--out")
+    )
+    options: TrackOptions = field(metadata=INCLUDED)
+    json: str | None = json_option()
+    force: bool = force_option()
+    jobs: int | None = field(
+        default=None,
+        metadata=argument("number of worker processes (default: one per core)", metavar="N"),
+    )
+    dask: str = field(default="", metadata=argument("run on this Dask cluster", metavar="ADDRESS"))
 
 
 TRACK = Command(
     "track",
     "track a recorded session again",
     deferred("tracker.offline.command_runs:run_track"),
-    add=_add_track,
+    options=TrackArguments,
 )
+
+
+@dataclass(frozen=True, kw_only=True)
+class CropArguments:
+    """Arguments of ``glovetrack crop``."""
+
+    source: Path = field(metadata=argument("session file", metavar="IN"))
+    out: Path = field(metadata=argument("the new session", "-o", "--out"))
+    start: float = field(
+        default=0.0,
+        metadata=argument("start, in seconds from the beginning (default: 0)", metavar="S"),
+    )
+    stop: float | None = field(
+        default=None,
+        metadata=argument("end, in seconds from the beginning (default: the end)", metavar="S"),
+    )
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 CROP = Command(
     "crop",
     "copy part of a session to a new session",
     deferred("tracker.offline.command_runs:run_crop"),
-    add=_add_crop,
+    options=CropArguments,
 )
+
+
+@dataclass(frozen=True, kw_only=True)
+class LightArguments:
+    """Arguments of ``glovetrack light``."""
+
+    file: Path = field(metadata=argument("session with images", metavar="FILE"))
+    colours: str = field(
+        default="",
+        metadata=argument("colour profile name or file (default: the session's profile)"),
+    )
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 LIGHT = Command(
     "light",
     "assess the lighting of a recording and suggest improvements",
     deferred("tracker.offline.command_runs:run_light"),
-    add=_add_light,
+    options=LightArguments,
 )
 
-
 COLOURS = Command[argparse.Namespace]("colours", "fit colours to a recording, or check them")
+
+
+@dataclass(frozen=True, kw_only=True)
+class ColoursFitArguments:
+    """Arguments of ``glovetrack colours fit``."""
+
+    out: Path = field(metadata=argument("the new colour profile (.toml)", "-o", "--out"))
+    source: Path = field(metadata=argument("session with images", metavar="SESSION"))
+    colours: str = field(
+        default="",
+        metadata=argument("colour profile name or file (default: the session's profile)"),
+    )
+    force: bool = force_option()
 
 
 COLOURS_FIT = Command(
     "colours fit",
     "fit colours to the images of a recording",
     deferred("tracker.offline.command_runs:run_fit_colours"),
-    add=_add_colours_fit,
+    options=ColoursFitArguments,
 )
+
+
+@dataclass(frozen=True, kw_only=True)
+class ColoursCheckArguments:
+    """Arguments of ``glovetrack colours check``."""
+
+    source: Path = field(metadata=argument("session with images", metavar="SESSION"))
+    colours: str = field(
+        default="",
+        metadata=argument("colour profile name or file (default: the session's profile)"),
+    )
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 COLOURS_CHECK = Command(
     "colours check",
     "report found, missed and conflicting markers of each hue",
     deferred("tracker.offline.command_runs:run_check_colours"),
-    add=_add_colours_check,
+    options=ColoursCheckArguments,
 )
 
 
-def _add_gaps(gaps: argparse.ArgumentParser) -> None:
-    gaps.add_argument("source", type=Path, metavar="SESSION", help="session file")
-    _add_limit(gaps)
-    add_json(gaps)
+@dataclass(frozen=True, kw_only=True)
+class GapsArguments:
+    """Arguments of ``glovetrack gaps``."""
 
-
-def _add_fill(fill: argparse.ArgumentParser) -> None:
-    fill.add_argument("source", type=Path, metavar="SESSION", help="session file")
-    fill.add_argument("-o", "--out", type=Path, required=True, help="the new session")
-    fill.add_argument(
-        "--max-gap", type=float, default=0.2, metavar="S", help="longest gap to fill (default: 0.2)"
-    )
-    fill.add_argument(
-        "--method",
-        default="linear",
-        choices=("linear", "cubic", "smooth"),
-        help="linear: straight lines and great arcs; cubic: also matches the speeds at both "
-        "ends; smooth: tracks the session's sensor data again and smooths the result",
-    )
-    fill.add_argument(
-        "--kinds",
-        default="hole,lost",
-        metavar="A,B",
-        help="kinds of gaps to fill: hole (no estimates), lost, inferred (default: hole,lost)",
-    )
-    fill.add_argument(
-        "--gaps",
-        type=Path,
-        metavar="FILE",
-        help="fill only gaps listed in this output of `gaps --json`",
-    )
-    fill.add_argument(
-        "--by", default="", metavar="NAME", help="name of the editor (default: the current user)"
-    )
-    _add_limit(fill)
-    add_json(fill)
-
-
-def _add_limit(command: argparse.ArgumentParser) -> None:
-    command.add_argument(
-        "--inferred",
-        type=float,
+    source: Path = field(metadata=argument("session file", metavar="SESSION"))
+    inferred: float = field(
         default=0.5,
-        metavar="S",
-        help="treat points inferred for longer than this as gaps (default: 0.5)",
+        metadata=argument(
+            "treat points inferred for longer than this as gaps (default: 0.5)", metavar="S"
+        ),
     )
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 GAPS = Command(
     "gaps",
     "list where and why a hand is not measured",
     deferred("tracker.offline.gap_commands:run_gaps"),
-    add=_add_gaps,
+    options=GapsArguments,
 )
+
+
+@dataclass(frozen=True, kw_only=True)
+class FillArguments:
+    """Arguments of ``glovetrack fill``."""
+
+    source: Path = field(metadata=argument("session file", metavar="SESSION"))
+    out: Path = field(metadata=argument("the new session", "-o", "--out"))
+    max_gap: float = field(
+        default=0.2, metadata=argument("longest gap to fill (default: 0.2)", metavar="S")
+    )
+    method: str = field(
+        default="linear",
+        metadata=argument(
+            "linear: straight lines and great arcs; cubic: also matches the speeds at both "
+            "ends; smooth: tracks the session's sensor data again and smooths the result",
+            choices=("linear", "cubic", "smooth"),
+        ),
+    )
+    kinds: str = field(
+        default="hole,lost",
+        metadata=argument(
+            "kinds of gaps to fill: hole (no estimates), lost, inferred (default: hole,lost)",
+            metavar="A,B",
+        ),
+    )
+    gaps: Path | None = field(
+        default=None,
+        metadata=argument("fill only gaps listed in this output of `gaps --json`", metavar="FILE"),
+    )
+    by: str = field(
+        default="",
+        metadata=argument("name of the editor (default: the current user)", metavar="NAME"),
+    )
+    inferred: float = field(
+        default=0.5,
+        metadata=argument(
+            "treat points inferred for longer than this as gaps (default: 0.5)", metavar="S"
+        ),
+    )
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 FILL = Command(
     "fill",
     "interpolate gaps of a session and save the result as a new session",
     deferred("tracker.offline.gap_commands:run_fill"),
-    add=_add_fill,
+    options=FillArguments,
 )
 
 
-def _add(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "session",
-        type=Path,
-        metavar="SESSION",
-        help="recording of the glove alone in free motion, two minutes",
+@dataclass(frozen=True, kw_only=True)
+class FitGloveArguments:
+    """Arguments of ``glovetrack fit-glove``."""
+
+    session: Path = field(
+        metadata=argument(
+            "recording of the glove alone in free motion, two minutes", metavar="SESSION"
+        )
     )
-    parser.add_argument(
-        "--set", type=Path, metavar="OUT", dest="target", help="write the fitted glove file"
+    target: Path | None = field(
+        default=None, metadata=argument("write the fitted glove file", "--set", metavar="OUT")
     )
-    parser.add_argument(
-        "--name", metavar="NAME", help="save it as your own glove NAME, for --glove NAME"
+    name: str | None = field(
+        default=None,
+        metadata=argument("save it as your own glove NAME, for --glove NAME", metavar="NAME"),
     )
-    add_json(parser)
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
-FIT_GLOVE = Command[argparse.Namespace](
+FIT_GLOVE = Command(
     "fit-glove",
     "fit a glove file to a glove: marker positions and IMU mountings",
     deferred("tracker.offline.fit_glove_command:run"),
-    add=_add,
+    options=FitGloveArguments,
     description="Measures from a recording of free motion where the markers and IMUs of this "
     "glove are, with standard deviations, and writes a copy of its glove file. Record one hand in "
     "front of a stereo camera for two minutes: bend and stretch all fingers and the thumb, and "
@@ -228,84 +254,93 @@ FIT_GLOVE = Command[argparse.Namespace](
 )
 
 
-def _add_rig(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("folder", type=Path, help="folder for the device files and camera.yml")
-    parser.add_argument(
-        "--hands",
-        choices=("right", "left", "both"),
+@dataclass(frozen=True, kw_only=True)
+class RigArguments:
+    """Arguments of ``glovetrack rig``."""
+
+    folder: Path = field(metadata=argument("folder for the device files and camera.yml"))
+    hands: str = field(
         default="right",
-        help="hands with a glove; if both, the devices are glove_left and glove_right",
+        metadata=argument(
+            "hands with a glove; if both, the devices are glove_left and glove_right",
+            choices=("right", "left", "both"),
+        ),
     )
-    parser.add_argument(
-        "--lenses",
-        choices=("one", "both", "apart"),
+    lenses: str = field(
         default="both",
-        help="one or both lenses in one stream; apart: two cameras, camera_left.mjpeg and "
-        "camera_right.mjpeg, the right one with smaller images",
+        metadata=argument(
+            "one or both lenses in one stream; apart: two cameras, camera_left.mjpeg and "
+            "camera_right.mjpeg, the right one with smaller images",
+            choices=("one", "both", "apart"),
+        ),
     )
-    parser.add_argument(
-        "--right-late-ms",
-        type=float,
+    right_late_ms: float = field(
         default=0.0,
-        metavar="MS",
-        help="with --lenses apart: delay of the right camera's exposure",
+        metadata=argument(
+            "with --lenses apart: delay of the right camera's exposure", metavar="MS"
+        ),
     )
-    parser.add_argument(
-        "--camera-errors",
+    camera_errors: str = field(
         default="all",
-        metavar="LIST",
-        help="errors of the camera, all (default), none, or a list of lenses, calibration, "
-        "shutter, stamps and flicker",
+        metadata=argument(
+            "errors of the camera, all (default), none, or a list of lenses, calibration, "
+            "shutter, stamps and flicker",
+            metavar="LIST",
+        ),
     )
-    parser.add_argument(
-        "--board", action="store_true", help="start with a calibration board in front of the camera"
+    board: bool = field(
+        default=False, metadata=argument("start with a calibration board in front of the camera")
     )
-    parser.add_argument(
-        "--led",
-        action="store_true",
-        help="show an LED in place of the first motor in the images, for `glovetrack loop-back`",
+    led: bool = field(
+        default=False,
+        metadata=argument(
+            "show an LED in place of the first motor in the images, for `glovetrack loop-back`"
+        ),
     )
-    parser.add_argument(
-        "--fps", type=float, default=30.0, help="frame rate of the camera, Hz (default: 30)"
+    fps: float = field(
+        default=30.0, metadata=argument("frame rate of the camera, Hz (default: 30)")
     )
-    parser.add_argument("--seed", type=int, default=1, help="random seed of the wearer")
-    parser.add_argument("--duration", type=float, metavar="S", help="stop after this time")
-    add_force(parser)
-    parser.epilog = (
-        "Commands on standard input: 'unplug left' and 'plug left' (or right) disconnect and "
-        "reconnect a glove; 'fault right KIND' starts an electrical fault (brown-out, flexed "
-        "cable, loose select, motor reset, usb suspend, wrong baud, port busy, port denied) and "
-        "'fault right' ends it; 'board' shows a calibration board to the camera, 'hand' the hand."
+    seed: int = field(default=1, metadata=argument("random seed of the wearer"))
+    duration: float | None = field(
+        default=None, metadata=argument("stop after this time", metavar="S")
     )
+    force: bool = force_option()
 
 
 RIG = Command(
     "rig",
     "simulate a glove and a camera as devices of this computer",
     deferred("tracker.offline.rig_command:run_rig"),
-    add=_add_rig,
+    options=RigArguments,
+    epilog="Commands on standard input: 'unplug left' and 'plug left' (or right) disconnect and "
+    "reconnect a glove; 'fault right KIND' starts an electrical fault (brown-out, flexed "
+    "cable, loose select, motor reset, usb suspend, wrong baud, port busy, port denied) and "
+    "'fault right' ends it; 'board' shows a calibration board to the camera, 'hand' the hand.",
 )
 
 
-def _add_line_time(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "session", type=Path, metavar="SESSION", help="recording of a hand that moves fast"
+@dataclass(frozen=True, kw_only=True)
+class LineTimeArguments:
+    """Arguments of ``glovetrack line-time``."""
+
+    session: Path = field(
+        metadata=argument("recording of a hand that moves fast", metavar="SESSION")
     )
-    parser.add_argument(
-        "--set",
-        type=Path,
-        metavar="OUT",
-        dest="target",
-        help="write the recording's camera calibration with this line time",
+    target: Path | None = field(
+        default=None,
+        metadata=argument(
+            "write the recording's camera calibration with this line time", "--set", metavar="OUT"
+        ),
     )
-    add_json(parser)
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
-LINE_TIME = Command[argparse.Namespace](
+LINE_TIME = Command(
     "line-time",
     "estimate the line time of a camera with a rolling shutter from a recording",
     deferred("tracker.offline.line_time_command:run"),
-    add=_add_line_time,
+    options=LineTimeArguments,
     description="Tracks the recording with several readout times and finds the one with which "
     "markers are nearest to their predictions, together with the time offset of the camera. Swing "
     "the hand in all directions in front of the camera for 20 s, as fast as possible "
@@ -313,107 +348,125 @@ LINE_TIME = Command[argparse.Namespace](
 )
 
 
-def _add_imu_noise(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "session",
-        type=Path,
-        metavar="SESSION",
-        help="recording of a glove at rest, 1 minute or more",
+@dataclass(frozen=True, kw_only=True)
+class ImuNoiseArguments:
+    """Arguments of ``glovetrack imu-noise``."""
+
+    session: Path = field(
+        metadata=argument("recording of a glove at rest, 1 minute or more", metavar="SESSION")
     )
-    parser.add_argument(
-        "-o", "--out", type=Path, metavar="CSV", help="write the Allan deviations as a table"
+    out: Path | None = field(
+        default=None,
+        metadata=argument("write the Allan deviations as a table", "-o", "--out", metavar="CSV"),
     )
-    parser.add_argument(
-        "--glove", type=Path, metavar="FILE", help="glove file to start from (with --set)"
+    glove: Path | None = field(
+        default=None, metadata=argument("glove file to start from (with --set)", metavar="FILE")
     )
-    parser.add_argument(
-        "--set", type=Path, metavar="OUT", dest="target", help="write a copy of it with the noise"
+    target: Path | None = field(
+        default=None, metadata=argument("write a copy of it with the noise", "--set", metavar="OUT")
     )
-    add_json(parser)
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
-IMU_NOISE = Command[argparse.Namespace](
+IMU_NOISE = Command(
     "imu-noise",
     "measure the noise of a glove's IMUs from a recording at rest",
     deferred("tracker.offline.imu_noise_command:run"),
-    add=_add_imu_noise,
+    options=ImuNoiseArguments,
     description="Computes the Allan deviation of the longest rest in a recording, fits white "
     "noise, bias instability and random walk, and can write them into a glove file. A recording of "
     "ten minutes on a table gives the bias instability to about 20 percent.",
 )
 
 
-def _add_axes(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "session", type=Path, metavar="SESSION", help="recording of a glove at rest in 6 positions"
+@dataclass(frozen=True, kw_only=True)
+class ImuAxesArguments:
+    """Arguments of ``glovetrack imu-axes``."""
+
+    session: Path = field(
+        metadata=argument("recording of a glove at rest in 6 positions", metavar="SESSION")
     )
-    _add_files(parser)
-
-
-def _add_drift(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "sessions",
-        type=Path,
-        nargs="+",
-        metavar="SESSION",
-        help="recordings with temperatures, each with rests of three seconds or more",
+    glove: Path | None = field(
+        default=None, metadata=argument("glove file to start from (with --set)", metavar="FILE")
     )
-    _add_files(parser)
-
-
-def _add_files(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "--glove", type=Path, metavar="FILE", help="glove file to start from (with --set)"
+    target: Path | None = field(
+        default=None,
+        metadata=argument("write a copy of it with the result", "--set", metavar="OUT"),
     )
-    parser.add_argument(
-        "--set", type=Path, metavar="OUT", dest="target", help="write a copy of it with the result"
-    )
-    add_json(parser)
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
-IMU_AXES = Command[argparse.Namespace](
+IMU_AXES = Command(
     "imu-axes",
     "estimate scale and cross-axis errors of a glove's IMUs from rests in several positions",
     deferred("tracker.offline.imu_values_command:run_axes"),
-    add=_add_axes,
+    options=ImuAxesArguments,
     description="Fasten the glove to a box, record, and lay the box on each of its six sides and "
     "on some edges, with two seconds of rest each. Gravity gives the accelerometers' errors, and "
     "the rotations between the rests those of the gyroscopes.",
 )
 
 
-IMU_DRIFT = Command[argparse.Namespace](
+@dataclass(frozen=True, kw_only=True)
+class ImuDriftArguments:
+    """Arguments of ``glovetrack imu-drift``."""
+
+    sessions: tuple[Path, ...] = field(
+        metadata=argument(
+            "recordings with temperatures, each with rests of three seconds or more",
+            metavar="SESSION",
+        )
+    )
+    glove: Path | None = field(
+        default=None, metadata=argument("glove file to start from (with --set)", metavar="FILE")
+    )
+    target: Path | None = field(
+        default=None,
+        metadata=argument("write a copy of it with the result", "--set", metavar="OUT"),
+    )
+    json: str | None = json_option()
+    force: bool = force_option()
+
+
+IMU_DRIFT = Command(
     "imu-drift",
     "learn how the biases of a glove's IMUs change with the temperature",
     deferred("tracker.offline.imu_values_command:run_drift"),
-    add=_add_drift,
+    options=ImuDriftArguments,
     description="Uses the rests in recordings of a glove that reports its temperatures (firmware "
     "1.3). Earlier results in the glove file are improved by further recordings.",
 )
 
 
-def _add_import(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "sources", type=Path, nargs="+", metavar="IN", help="CSV or .mat files, or x-IMU3 folders"
+@dataclass(frozen=True, kw_only=True)
+class ImportArguments:
+    """Arguments of ``glovetrack import``."""
+
+    sources: tuple[Path, ...] = field(
+        metadata=argument("CSV or .mat files, or x-IMU3 folders", metavar="IN")
     )
-    parser.add_argument("-o", "--out", type=Path, required=True, help="the new session (.mcap)")
-    parser.add_argument("--glove", default="", help="glove name or file")
-    parser.add_argument(
-        "--hand", default="", help="hand name or file (default: the hand of the glove file)"
+    out: Path = field(metadata=argument("the new session (.mcap)", "-o", "--out"))
+    glove: str = field(default="", metadata=argument("glove name or file"))
+    hand: str = field(
+        default="", metadata=argument("hand name or file (default: the hand of the glove file)")
     )
-    parser.add_argument(
-        "--imu",
-        action="append",
-        default=[],
-        metavar="GLOVE=FILE",
-        help="assign a file to an IMU of the glove, such as dorsum=hand_right; can be repeated",
+    imu: tuple[str, ...] = field(
+        default=(),
+        metadata=argument(
+            "assign a file to an IMU of the glove, such as dorsum=hand_right; can be repeated",
+            action="append",
+            metavar="GLOVE=FILE",
+        ),
     )
-    add_json(parser)
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 IMPORT = Command(
     "import",
     "create a session from another program's raw IMU data",
     deferred("tracker.offline.imports.command:run_import"),
-    add=_add_import,
+    options=ImportArguments,
 )

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import argparse
 from pathlib import Path
 
 from tracker.base.command import UsageError
@@ -10,10 +9,11 @@ from tracker.base.files import check_target, make_folder, name_part, write_whole
 from tracker.base.notices import notice
 from tracker.base.terminal import check_json, finish, progress_line
 from tracker.glove.library import user_folder
+from tracker.offline.commands import FitGloveArguments
 from tracker.offline.fit_glove import fit_json, fit_lines, fit_session
 
 
-def _target(args: argparse.Namespace) -> Path | None:
+def _target(args: FitGloveArguments) -> Path | None:
     if args.target is not None and args.name is not None:
         raise UsageError(notice("fit_glove.both_targets"))
     if args.name is None:
@@ -21,7 +21,7 @@ def _target(args: argparse.Namespace) -> Path | None:
     return user_folder("gloves") / f"{name_part(args.name)}.toml"
 
 
-def run(args: argparse.Namespace) -> int:
+def run(args: FitGloveArguments) -> int:
     target, inputs = _target(args), [args.session]
     check_json(args, inputs)
     if target is not None:

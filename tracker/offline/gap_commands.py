@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import argparse
 import json
 from collections.abc import Sequence
 from pathlib import Path
@@ -11,12 +10,13 @@ from tracker.base.errors import FileError
 from tracker.base.notices import notice
 from tracker.base.terminal import check_json, finish, progress_line
 from tracker.base.toml_reader import read_text
+from tracker.offline.commands import FillArguments, GapsArguments
 from tracker.offline.fill import Signature, fill, gap_json
 from tracker.session.gaps.fill import FillOptions
 from tracker.session.gaps.find import KINDS, Gap, session_gaps
 
 
-def run_gaps(args: argparse.Namespace) -> int:
+def run_gaps(args: GapsArguments) -> int:
     check_json(args, [args.source])
     found = session_gaps(args.source, args.inferred, progress_line("reading"))
     lines = [_line(gap) for gap in found]
@@ -34,7 +34,7 @@ def _line(gap: Gap) -> str:
     )
 
 
-def run_fill(args: argparse.Namespace) -> int:
+def run_fill(args: FillArguments) -> int:
     check_json(args, [args.source, args.out])
     wanted = None if args.gaps is None else read_gaps(args.gaps)
     kinds = KINDS if wanted is not None else tuple(k for k in args.kinds.split(",") if k)

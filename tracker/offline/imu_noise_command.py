@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-import argparse
-
 from tracker.base.command import UsageError
 from tracker.base.files import check_target, write_whole
 from tracker.base.notices import notice
 from tracker.base.terminal import check_json, finish
 from tracker.glove.imu_values import with_noise
+from tracker.offline.commands import ImuNoiseArguments
 from tracker.offline.imu_noise import imu_noise
 from tracker.session.raw_imu import read_raw_imu
 from tracker.session.reader import SessionReader
 
 
-def run(args: argparse.Namespace) -> int:
+def run(args: ImuNoiseArguments) -> int:
     if (args.glove is None) != (args.target is None):
         raise UsageError(notice("option.together", options=("--glove", "--set")))
     inputs = [path for path in (args.session, args.glove) if path is not None]
@@ -29,7 +28,7 @@ def run(args: argparse.Namespace) -> int:
         names, rows = report.table()
         table = [",".join(names), *(",".join(f"{x:.6g}" for x in row) for row in rows)]
         write_whole(args.out, "\n".join(table) + "\n", args.force, inputs)
-    if args.target is not None:
+    if args.glove is not None and args.target is not None:
         text = args.glove.read_text("utf-8")
         noise = {imu.name: imu.noise for imu in report.imus}
         write_whole(args.target, with_noise(text, noise), args.force, inputs)

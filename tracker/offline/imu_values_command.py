@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import argparse
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from tracker.base.command import UsageError
@@ -13,11 +12,12 @@ from tracker.base.terminal import check_json, finish
 from tracker.glove import library
 from tracker.glove.imu_values import with_axes, with_drift
 from tracker.glove.model import GloveModel
+from tracker.offline.commands import ImuAxesArguments, ImuDriftArguments
 from tracker.offline.imu_values import axes_json, axes_lines, axes_of, drift_lines, drift_of
 from tracker.session.reader import SessionReader
 
 
-def _check(args: argparse.Namespace, sessions: list[Path]) -> list[Path]:
+def _check(args: ImuAxesArguments | ImuDriftArguments, sessions: Sequence[Path]) -> list[Path]:
     """Returns the files that are read."""
     if (args.glove is None) != (args.target is None):
         raise UsageError(notice("option.together", options=("--glove", "--set")))
@@ -28,30 +28,33 @@ def _check(args: argparse.Namespace, sessions: list[Path]) -> list[Path]:
     return inputs
 
 
-def _write(args: argparse.Namespace, change: Callable[[str], str], inputs: list[Path]) -> None:
-    text = change(args.glove.read_text("utf-8"))
-    write_whole(args.target, text, args.force, inputs)
+def _write(
+    args: ImuAxesArguments | ImuDriftArguments, change: Callable[[str], str], inputs: list[Path]
+) -> bool:
+    """Writes a changed copy of the glove file; returns False if none is wanted."""
+    if args.glove is None or args.target is None:
+        return False
+    write_whole(args.target, change(args.glove.read_text("utf-8")), args.force, inputs)
+    return True
 
 
-def run_axes(args: argparse.Namespace) -> int:
+def run_axes(args: ImuAxesArguments) -> int:
     inputs = _check(args, [args.session])
     found, results = axes_of(args.session)
     lines = axes_lines(found, results)
-    if args.target is not None:
-        axes = {name: r.axes for name, r in results.items()}
-        _write(args, lambda text: with_axes(text, axes), inputs)
+    axes = {name: r.axes for name, r in results.items()}
+    if _write(args, lambda text: with_axes(text, axes), inputs):
         lines.append(f"{args.target}: axes of {len(axes)} IMUs")
     finish(args, {"imus": axes_json(results), "rests": len(found.rests)}, lines, inputs)
     return 0
 
 
-def run_drift(args: argparse.Namespace) -> int:
+def run_drift(args: ImuDriftArguments) -> int:
     inputs = _check(args, args.sessions)
     glove = _glove_of(args)
     drift, span_c = drift_of(args.sessions, {imu.name: imu.drift for imu in glove.imus})
     lines = drift_lines(drift, span_c)
-    if args.target is not None:
-        _write(args, lambda text: with_drift(text, drift), inputs)
+    if _write(args, lambda text: with_drift(text, drift), inputs):
         lines.append(f"{args.target}: drift of {len(drift)} IMUs")
     imus = {
         name: {key: getattr(d, key).tolist() for key in ("gyro", "gyro_sd", "accel", "accel_sd")}
@@ -61,7 +64,7 @@ def run_drift(args: argparse.Namespace) -> int:
     return 0
 
 
-def _glove_of(args: argparse.Namespace) -> GloveModel:
+def _glove_of(args: ImuDriftArguments) -> GloveModel:
     """The glove to be completed, or that of the first session."""
     if args.glove is not None:
         return library.load(str(args.glove))[1]

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import argparse
-
 from tracker.base.files import check_target, write_whole
 from tracker.base.terminal import check_json, finish, progress_line
 from tracker.calibration.stereo.files import rig_text
 from tracker.engine.pipeline import Pipeline
 from tracker.messages import BlobFrame, CameraImuSample, ImuSample
+from tracker.offline.commands import LineTimeArguments
 from tracker.offline.line_time import LineTimeEstimator
 from tracker.session.reader import SessionReader
 
 
-def run(args: argparse.Namespace) -> int:
+def run(args: LineTimeArguments) -> int:
     check_json(args, [args.session])
     if args.target is not None:
         check_target(args.target, args.force, [args.session])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import argparse
 import os
 import select
 import sys
@@ -13,6 +12,7 @@ from pathlib import Path
 from tracker.base.files import write_whole
 from tracker.calibration.stereo.files import rig_text
 from tracker.glove import library
+from tracker.offline.commands import RigArguments
 from tracker.offline.simulate import GLOVES
 from tracker.simulation.camera_errors import errors_named
 from tracker.simulation.demo import DemoSpec, HandTexts
@@ -25,7 +25,7 @@ CALIBRATION = "camera.yml"
 LASTS = 3600.0  # s of motion
 
 
-def run_rig(args: argparse.Namespace) -> int:
+def run_rig(args: RigArguments) -> int:
     args.folder.mkdir(parents=True, exist_ok=True)
     end = time.monotonic() + (args.duration or LASTS)
     calibration = args.folder / CALIBRATION
@@ -56,7 +56,7 @@ def run_rig(args: argparse.Namespace) -> int:
     return 0
 
 
-def _spec(args: argparse.Namespace) -> DemoSpec:
+def _spec(args: RigArguments) -> DemoSpec:
     sides = ("right", "left") if args.hands == "both" else (args.hands,)
     main, *others = (HandTexts(*library.texts(GLOVES[side])) for side in sides)
     return DemoSpec(

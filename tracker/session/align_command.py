@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import argparse
 from dataclasses import asdict
 
 from tracker.base.files import check_target
 from tracker.base.terminal import check_json, finish
 from tracker.session.align import align, draw, keep, read_courses
+from tracker.session.commands import AlignArguments
 
 
-def run_align(args: argparse.Namespace) -> int:
+def run_align(args: AlignArguments) -> int:
     files = [args.first, args.second]
     check_json(args, files)
     for path in filter(None, (args.output, args.figure)):

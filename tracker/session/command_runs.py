@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import argparse
 import sys
 from pathlib import Path
 from typing import Any
@@ -11,6 +10,14 @@ from tracker.base.terminal import check_json, finish, printable, progress_line
 from tracker.base.urgency import usable_cores
 from tracker.base.workers import WorkersAsked, WorkItem, run_all, some_workers
 from tracker.session.align import read_alignment
+from tracker.session.commands import (
+    CompareArguments,
+    ExportArguments,
+    InfoArguments,
+    LatencyArguments,
+    RecoverArguments,
+    VerifyArguments,
+)
 from tracker.session.compare import compare
 from tracker.session.edits import edit_of
 from tracker.session.edits import lines as edit_lines
@@ -28,7 +35,7 @@ from tracker.session.recover import recover
 from tracker.session.verify import FileFinding, is_ok, verify, verify_one
 
 
-def run_export(args: argparse.Namespace) -> int:
+def run_export(args: ExportArguments) -> int:
     anonymous = () if args.anonymous is None else tuple(args.anonymous or PERSONAL)
     options = ExportOptions(
         rate=args.rate,
@@ -55,14 +62,14 @@ def run_export(args: argparse.Namespace) -> int:
     return 0
 
 
-def _ask_for_task(args: argparse.Namespace) -> str:
+def _ask_for_task(args: ExportArguments) -> str:
     """Asks the user at the terminal for the description of the task in a data set."""
     if FORMATS.get(args.format).dataset is None or args.split or not sys.stdin.isatty():
         return ""
     return input("Task in these sessions (Enter: use the tasks stored in them): ").strip()
 
 
-def run_info(args: argparse.Namespace) -> int:
+def run_info(args: InfoArguments) -> int:
     check_json(args, [args.file])
     found = session_summary(args.file)
     lines = [f"{args.file}: {found['duration_s']:.2f} s, {found['integrity']}"]
@@ -80,14 +87,14 @@ def run_info(args: argparse.Namespace) -> int:
     return 0
 
 
-def run_latency(args: argparse.Namespace) -> int:
+def run_latency(args: LatencyArguments) -> int:
     check_json(args, [args.file])
     found = latencies_of(args.file)
     finish(args, {"latency": found}, latency_table(found), [args.file])
     return 0
 
 
-def run_verify(args: argparse.Namespace) -> int:
+def run_verify(args: VerifyArguments) -> int:
     paths = [path for path, _ in sessions_in(args.files)]
     check_json(args, paths)
     if len(paths) == 1:
@@ -119,7 +126,7 @@ def _verify_many(paths: list[Path]) -> tuple[dict[str, Any], list[str]]:
     return {"ok": all(f["ok"] for f in files.values()), "files": files}, lines
 
 
-def run_recover(args: argparse.Namespace) -> int:
+def run_recover(args: RecoverArguments) -> int:
     check_json(args, [args.file])
     saved = recover(args.file, args.output, args.force)
     with SessionReader(saved.path) as reader:
@@ -152,7 +159,7 @@ def _arithmetic_hint(made_on: list[str], identical: bool) -> list[str]:
     ]
 
 
-def run_compare(args: argparse.Namespace) -> int:
+def run_compare(args: CompareArguments) -> int:
     inputs = [args.first, args.second]
     check_json(args, inputs)
     shift = 0.0 if args.align is None else read_alignment(args.align).clocks_differ_s

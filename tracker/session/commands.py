@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import argparse
+from dataclasses import dataclass, field
 from pathlib import Path
 
+from tracker.base.arguments import argument
 from tracker.base.command import Command
 from tracker.base.registry import deferred
-from tracker.base.terminal import add_json
+from tracker.base.terminal import force_option, json_option
 from tracker.session.export.formats import FORMATS
 from tracker.session.export.options import (
     AXES_NAMES,
@@ -20,198 +21,234 @@ from tracker.session.export.options import (
 )
 
 
-def _add_file(command: argparse.ArgumentParser) -> None:
-    command.add_argument("file", type=Path, metavar="FILE", help="session file")
+@dataclass(frozen=True, kw_only=True)
+class ExportArguments:
+    """Arguments of ``glovetrack export``."""
 
-
-def _add_info(command: argparse.ArgumentParser) -> None:
-    _add_file(command)
-    command.add_argument(
-        "--latency",
-        action="store_true",
-        help="also report the latencies, as `glovetrack latency` does",
+    files: tuple[Path, ...] = field(
+        metadata=argument("a session; for lerobot, several sessions or folders", metavar="IN")
     )
-    add_json(command)
-
-
-def _add_latency(command: argparse.ArgumentParser) -> None:
-    _add_file(command)
-    add_json(command)
-
-
-def _add_verify(command: argparse.ArgumentParser) -> None:
-    command.add_argument(
-        "files", type=Path, nargs="+", metavar="FILE", help="sessions or folders of sessions"
+    format: str = field(metadata=argument("output format", "--format", choices=FORMATS.names))
+    output: Path = field(
+        metadata=argument("output file or folder", "-o", "--output", metavar="OUT")
     )
-    add_json(command)
-
-
-def _add_recover(command: argparse.ArgumentParser) -> None:
-    _add_file(command)
-    command.add_argument(
-        "-o",
-        "--output",
-        type=Path,
-        metavar="OUT",
-        help="the recovered session (default: FILE_recovered.mcap)",
+    rate: float | None = field(
+        default=None, metadata=argument("resample to this rate", metavar="HZ")
     )
-    add_json(command)
-
-
-def _add_compare(command: argparse.ArgumentParser) -> None:
-    command.add_argument("first", type=Path, metavar="A", help="session A")
-    command.add_argument("second", type=Path, metavar="B", help="session B, compared with A")
-    command.add_argument("--figure", type=Path, metavar="PNG", help="plot the differences")
-    command.add_argument(
-        "--align",
-        type=Path,
-        metavar="FILE",
-        help="shift B to A's time by the result of `glovetrack align`",
+    axes: str | None = field(default=None, metadata=argument("coordinate axes", choices=AXES_NAMES))
+    units: str | None = field(default=None, metadata=argument("unit of length", choices=UNITS))
+    start: float | None = field(
+        default=None, metadata=argument("start, in seconds after the first estimate", metavar="S")
     )
-    add_json(command)
-
-
-def _add_export(command: argparse.ArgumentParser) -> None:
-    command.add_argument(
-        "files",
-        type=Path,
-        nargs="+",
-        metavar="IN",
-        help="a session; for lerobot, several sessions or folders",
+    stop: float | None = field(
+        default=None, metadata=argument("end, in seconds after the first estimate", metavar="S")
     )
-    command.add_argument("--format", required=True, choices=FORMATS.names(), help="output format")
-    command.add_argument(
-        "-o", "--output", type=Path, required=True, metavar="OUT", help="output file or folder"
+    every: int = field(
+        default=1, metadata=argument("in videos and images, use every Nth frame", metavar="N")
     )
-    command.add_argument("--rate", type=float, metavar="HZ", help="resample to this rate")
-    command.add_argument("--axes", choices=AXES_NAMES, help="coordinate axes")
-    command.add_argument("--units", choices=UNITS, help="unit of length")
-    _add_selection(command)
-    _add_dataset(command)
-    add_json(command)
-
-
-def _add_selection(command: argparse.ArgumentParser) -> None:
-    """Adds the options that select the part of a session to export."""
-    command.add_argument(
-        "--start", type=float, metavar="S", help="start, in seconds after the first estimate"
-    )
-    command.add_argument(
-        "--stop", type=float, metavar="S", help="end, in seconds after the first estimate"
-    )
-    command.add_argument(
-        "--every",
-        type=int,
-        default=1,
-        metavar="N",
-        help="in videos and images, use every Nth frame",
-    )
-    command.add_argument(
-        "--views",
+    views: str = field(
         default="left",
-        metavar="A,B",
-        help=f"views in videos, side by side: {', '.join(VIEWS)} (default: left)",
+        metadata=argument(
+            f"views in videos, side by side: {', '.join(VIEWS)} (default: left)", metavar="A,B"
+        ),
     )
-    command.add_argument(
-        "--joints",
-        metavar="A,B",
-        help="export only these keypoints and angles; openxr exports OpenXR's 26 joints",
+    joints: str | None = field(
+        default=None,
+        metadata=argument(
+            "export only these keypoints and angles; openxr exports OpenXR's 26 joints",
+            metavar="A,B",
+        ),
     )
-    command.add_argument(
-        "--anonymous",
-        nargs="*",
-        choices=HIDEABLE,
-        metavar="FIELD",
-        help=f"omit {' and '.join(PERSONAL)}, or only the given fields out of "
-        f"{', '.join(HIDEABLE)}",
+    anonymous: tuple[str, ...] | None = field(
+        default=None,
+        metadata=argument(
+            f"omit {' and '.join(PERSONAL)}, or only the given fields out of {', '.join(HIDEABLE)}",
+            choices=HIDEABLE,
+            metavar="FIELD",
+        ),
     )
-
-
-def _add_dataset(command: argparse.ArgumentParser) -> None:
-    group = command.add_argument_group("data sets of many sessions (lerobot)")
-    group.add_argument("--task", default="", metavar="TEXT", help="description of the task")
-    group.add_argument("--split", action="store_true", help="start a new episode at each note")
-    group.add_argument(
-        "--images",
-        choices=IMAGES,
+    task: str = field(
+        default="",
+        metadata=argument(
+            "description of the task", metavar="TEXT", group="data sets of many sessions (lerobot)"
+        ),
+    )
+    split: bool = field(
+        default=False,
+        metadata=argument(
+            "start a new episode at each note", group="data sets of many sessions (lerobot)"
+        ),
+    )
+    images: str = field(
         default=ENCODED,
-        help="keep images as recorded (encoded), convert them to video with ffmpeg, or omit them",
+        metadata=argument(
+            "keep images as recorded (encoded), convert them to video with ffmpeg, or omit them",
+            choices=IMAGES,
+            group="data sets of many sessions (lerobot)",
+        ),
     )
-    group.add_argument(
-        "--jobs", type=int, metavar="N", help="number of worker processes (default: one per core)"
+    jobs: int | None = field(
+        default=None,
+        metadata=argument(
+            "number of worker processes (default: one per core)",
+            metavar="N",
+            group="data sets of many sessions (lerobot)",
+        ),
     )
-    group.add_argument("--dask", default="", metavar="ADDRESS", help="run on this Dask cluster")
+    dask: str = field(
+        default="",
+        metadata=argument(
+            "run on this Dask cluster",
+            metavar="ADDRESS",
+            group="data sets of many sessions (lerobot)",
+        ),
+    )
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 EXPORT = Command(
     "export",
     "convert a session to another format",
     deferred("tracker.session.command_runs:run_export"),
-    add=_add_export,
+    options=ExportArguments,
 )
+
+
+@dataclass(frozen=True, kw_only=True)
+class InfoArguments:
+    """Arguments of ``glovetrack info``."""
+
+    file: Path = field(metadata=argument("session file", metavar="FILE"))
+    latency: bool = field(
+        default=False, metadata=argument("also report the latencies, as `glovetrack latency` does")
+    )
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 INFO = Command(
     "info",
     "show the contents of a session",
     deferred("tracker.session.command_runs:run_info"),
-    add=_add_info,
+    options=InfoArguments,
 )
+
+
+@dataclass(frozen=True, kw_only=True)
+class LatencyArguments:
+    """Arguments of ``glovetrack latency``."""
+
+    file: Path = field(metadata=argument("session file", metavar="FILE"))
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 LATENCY = Command(
     "latency",
     "report the latencies of a recording, from sample or exposure to pose, motor and robot",
     deferred("tracker.session.command_runs:run_latency"),
-    add=_add_latency,
+    options=LatencyArguments,
 )
+
+
+@dataclass(frozen=True, kw_only=True)
+class VerifyArguments:
+    """Arguments of ``glovetrack verify``."""
+
+    files: tuple[Path, ...] = field(
+        metadata=argument("sessions or folders of sessions", metavar="FILE")
+    )
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 VERIFY = Command(
     "verify",
     "check sessions for damage",
     deferred("tracker.session.command_runs:run_verify"),
-    add=_add_verify,
+    options=VerifyArguments,
 )
+
+
+@dataclass(frozen=True, kw_only=True)
+class RecoverArguments:
+    """Arguments of ``glovetrack recover``."""
+
+    file: Path = field(metadata=argument("session file", metavar="FILE"))
+    output: Path | None = field(
+        default=None,
+        metadata=argument(
+            "the recovered session (default: FILE_recovered.mcap)", "-o", "--output", metavar="OUT"
+        ),
+    )
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 RECOVER = Command(
     "recover",
     "recover a damaged recording",
     deferred("tracker.session.command_runs:run_recover"),
-    add=_add_recover,
+    options=RecoverArguments,
 )
+
+
+@dataclass(frozen=True, kw_only=True)
+class CompareArguments:
+    """Arguments of ``glovetrack compare``."""
+
+    first: Path = field(metadata=argument("session A", metavar="A"))
+    second: Path = field(metadata=argument("session B, compared with A", metavar="B"))
+    figure: Path | None = field(
+        default=None, metadata=argument("plot the differences", metavar="PNG")
+    )
+    align: Path | None = field(
+        default=None,
+        metadata=argument(
+            "shift B to A's time by the result of `glovetrack align`", metavar="FILE"
+        ),
+    )
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 COMPARE = Command(
     "compare",
     "list the differences between two trackings of a session",
     deferred("tracker.session.command_runs:run_compare"),
-    add=_add_compare,
+    options=CompareArguments,
 )
 
 
-def _add_align(command: argparse.ArgumentParser) -> None:
-    command.add_argument("first", type=Path, metavar="A", help="reference session")
-    command.add_argument("second", type=Path, metavar="B", help="session to align with A")
-    command.add_argument(
-        "--by",
-        choices=("clock", "movement"),
+@dataclass(frozen=True, kw_only=True)
+class AlignArguments:
+    """Arguments of ``glovetrack align``."""
+
+    first: Path = field(metadata=argument("reference session", metavar="A"))
+    second: Path = field(metadata=argument("session to align with A", metavar="B"))
+    by: str = field(
         default="movement",
-        help="align by recorded timestamps or by hand movement",
+        metadata=argument(
+            "align by recorded timestamps or by hand movement", choices=("clock", "movement")
+        ),
     )
-    command.add_argument(
-        "-o", "--output", type=Path, metavar="JSON", help="save the result for `compare --align`"
+    output: Path | None = field(
+        default=None,
+        metadata=argument(
+            "save the result for `compare --align`", "-o", "--output", metavar="JSON"
+        ),
     )
-    command.add_argument(
-        "--figure", type=Path, metavar="PNG", help="plot both recordings on one time axis"
+    figure: Path | None = field(
+        default=None, metadata=argument("plot both recordings on one time axis", metavar="PNG")
     )
-    add_json(command)
+    json: str | None = json_option()
+    force: bool = force_option()
 
 
 ALIGN = Command(
     "align",
     "find the time offset between two recordings",
     deferred("tracker.session.align_command:run_align"),
-    add=_add_align,
+    options=AlignArguments,
 )

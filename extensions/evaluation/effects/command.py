@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
+from extensions.evaluation.commands import EvaluateEffectsArguments
 from extensions.evaluation.effects.trial import EFFECTS, EffectsCase, EffectsFigures, run_trial
 from extensions.evaluation.trials import run_trials
 from tracker.base.errors import ConfigError
@@ -32,19 +32,19 @@ class EffectsRow(NamedTuple):
     wrong: int
 
 
-def evaluate_effects(args: argparse.Namespace) -> int:
+def evaluate_effects(args: EvaluateEffectsArguments) -> int:
     """Track the people with each set of effects and print the figures."""
-    check_json(args)
-    ENGINES.get(args.engine)  # raises ConfigError if the name is unknown
+    check_json(args.trials)
+    ENGINES.get(args.trials.engine)  # raises ConfigError if the name is unknown
     if args.participants < 1 or args.seconds < 5:
         raise ConfigError(notice("evaluation.effects_options"))
-    names = [n for n in (SHORT if args.short else EFFECTS) if args.images or n != "flicker"]
-    how = args.engine, args.images, args.fps, args.seconds
+    names = [n for n in (SHORT if args.short else EFFECTS) if args.trials.images or n != "flicker"]
+    how = args.trials.engine, args.trials.images, args.trials.fps, args.seconds
     cases = [EffectsCase(EFFECTS[name], *how) for name in names]
-    figures = run_trials(run_trial, cases, args)
+    figures = run_trials(run_trial, cases, args.participants, args.trials)
     rows = rows_of(names, figures)
     found = summary(rows)
-    finish(args, found, table(rows))
+    finish(args.trials, found, table(rows))
     return 0 if found["ok"] else 1
 
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import argparse
-
+from extensions.evaluation.commands import EvaluateFaultsArguments
 from extensions.evaluation.faults.drill import DrillReport, drill
 from tracker.base.terminal import check_json, finish, progress_line
 
 
-def evaluate_faults(args: argparse.Namespace) -> int:
+def evaluate_faults(args: EvaluateFaultsArguments) -> int:
     """Run the drill; returns exit status 1 if an error was not reported."""
     check_json(args)
     report = drill(max(args.count, 1), args.seed, progress=progress_line("failing"))

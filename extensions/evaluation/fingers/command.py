@@ -3,13 +3,13 @@ silhouettes, and with patches on the end segments."""
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
+from extensions.evaluation.commands import EvaluateFingersArguments
 from extensions.evaluation.fingers.trial import Bound, TipErrors, bound_of, tips_of
 from tracker.base.terminal import check_json, finish, progress_line
 from tracker.messages import Array
@@ -41,7 +41,7 @@ class TipRow(NamedTuple):
     visible_mm: float | None
 
 
-def evaluate_fingers(args: argparse.Namespace) -> int:
+def evaluate_fingers(args: EvaluateFingersArguments) -> int:
     """Track each session with and without the cloth and with true silhouettes, and others with
     distal patches, and print the figures of all together."""
     paths, distal = [Path(name) for name in args.sessions], [Path(name) for name in args.distal]

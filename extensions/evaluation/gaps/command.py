@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from extensions.evaluation.commands import DEVICES
+from extensions.evaluation.commands import DEVICES, EvaluateGapsArguments
 from extensions.evaluation.gaps.trial import GapsCase, GapsFigures, run_trial
 from extensions.evaluation.trials import run_trials
 from tracker.base.errors import ConfigError
@@ -49,25 +48,25 @@ class GapsRow(NamedTuple):
         return back and self.true >= LEAST_TRUE and not self.wrong
 
 
-def evaluate_gaps(args: argparse.Namespace) -> int:
+def evaluate_gaps(args: EvaluateGapsArguments) -> int:
     """Track the people with gaps of each duration and print the figures."""
-    check_json(args)
-    ENGINES.get(args.engine)  # raises ConfigError if the name is unknown
+    check_json(args.trials)
+    ENGINES.get(args.trials.engine)  # raises ConfigError if the name is unknown
     if args.participants < 1 or not 0.1 <= min(args.gaps) <= max(args.gaps) <= 60:
         raise ConfigError(notice("evaluation.gaps_options"))
     cases = [
-        GapsCase(gap, errors, args.engine, args.fps)
+        GapsCase(gap, errors, args.trials.engine, args.trials.fps)
         for errors in DEVICES[args.devices]
         for gap in args.gaps
     ]
-    figures = run_trials(run_trial, cases, args)
+    figures = run_trials(run_trial, cases, args.participants, args.trials)
     people = args.participants
     rows = [
         row_of(case.gap, case.errors, figures[k * people : (k + 1) * people])
         for k, case in enumerate(cases)
     ]
     found = summary(rows)
-    finish(args, found, table(rows))
+    finish(args.trials, found, table(rows))
     return 0 if found["ok"] else 1
 
 

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-import argparse
 from collections import defaultdict
 from typing import Any
 
 import numpy as np
 
+from extensions.evaluation.commands import EvaluateGesturesArguments
 from extensions.evaluation.gestures.recorded import score_recorded, together
 from extensions.evaluation.gestures.score import GestureScore, Held, score
 from tracker.base.terminal import check_json, finish, progress_line
 
 
-def evaluate_gestures(args: argparse.Namespace) -> int:
+def evaluate_gestures(args: EvaluateGesturesArguments) -> int:
     """Score gesture recognition and print the result."""
     check_json(args, args.motion)
     if args.motion:
@@ -28,7 +28,7 @@ def evaluate_gestures(args: argparse.Namespace) -> int:
     return 0
 
 
-def _evaluate_recorded(args: argparse.Namespace) -> int:
+def _evaluate_recorded(args: EvaluateGesturesArguments) -> int:
     watch = progress_line("evaluating")
     scores = []
     for i, path in enumerate(args.motion):

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
+from extensions.evaluation.commands import EvaluateHandsArguments
 from extensions.evaluation.hands.trial import HandFigures, run_trial
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
@@ -18,7 +18,7 @@ LONGEST_RATIO, LONGEST_OFF = 1.2, 0.2
 """Goals: error together relative to error alone, and longest time in s with a wrong position."""
 
 
-def evaluate_hands(args: argparse.Namespace) -> int:
+def evaluate_hands(args: EvaluateHandsArguments) -> int:
     """Track the pairs and print the figures."""
     check_json(args)
     ENGINES.get(args.engine)  # raises ConfigError if the name is unknown

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import argparse
-
+from extensions.evaluation.commands import EvaluateInertialArguments
 from extensions.evaluation.inertial.report import evaluate_inertial
 
 
-def evaluate_inertial_command(args: argparse.Namespace) -> int:
+def evaluate_inertial_command(args: EvaluateInertialArguments) -> int:
     """Run the evaluation; imports numba and matplotlib only now."""
     return evaluate_inertial(args)

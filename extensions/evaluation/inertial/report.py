@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import argparse
 import sys
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -13,6 +12,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from extensions.evaluation.commands import EvaluateInertialArguments
 from extensions.evaluation.inertial import broad as inertial_broad
 from extensions.evaluation.inertial import cost as inertial_cost
 from extensions.evaluation.inertial.errors import draw
@@ -38,7 +38,7 @@ class Report:
     goals: list[Goal]
 
 
-def evaluate_inertial(args: argparse.Namespace) -> int:
+def evaluate_inertial(args: EvaluateInertialArguments) -> int:
     """Run the evaluation, print and save the results selected by the arguments."""
     check_json(args)
     if args.out:
@@ -56,7 +56,7 @@ def evaluate_inertial(args: argparse.Namespace) -> int:
     return 0
 
 
-def _plan(args: argparse.Namespace) -> Plan:
+def _plan(args: EvaluateInertialArguments) -> Plan:
     if args.quick:
         quick = Plan.quick(args.seeds or 2)
         return Plan(tuple(args.rates or quick.rates_hz), quick.seeds, 1, quick.durations)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import argparse
 from typing import Any
 
 import numpy as np
 
+from extensions.evaluation.commands import EvaluateRobotArguments
 from extensions.evaluation.robot.score import tip_score
 from extensions.robot.hand import load_hand
 from extensions.robot.library import need_mujoco
@@ -18,7 +18,7 @@ from tracker.base.terminal import check_json, finish, progress_line
 GOAL_MM = 5.0
 
 
-def evaluate_robot(args: argparse.Namespace) -> int:
+def evaluate_robot(args: EvaluateRobotArguments) -> int:
     """Run the trials and print the figures."""
     check_json(args, [])
     need_mujoco()

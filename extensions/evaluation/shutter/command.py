@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
+from extensions.evaluation.commands import EvaluateShutterArguments
 from extensions.evaluation.shutter.trial import ShutterCase, ShutterFigures, run_trial
 from extensions.evaluation.trials import run_trials
 from tracker.base.errors import ConfigError
@@ -32,26 +32,26 @@ class ShutterRow(NamedTuple):
         return self.known_mm / self.global_mm
 
 
-def evaluate_shutter(args: argparse.Namespace) -> int:
+def evaluate_shutter(args: EvaluateShutterArguments) -> int:
     """Track the people in front of three cameras each and print the figures."""
-    check_json(args)
-    ENGINES.get(args.engine)  # raises ConfigError if the name is unknown
+    check_json(args.trials)
+    ENGINES.get(args.trials.engine)  # raises ConfigError if the name is unknown
     if args.participants < 1 or args.seconds < 5 or not 0 < args.readout_ms <= 50:
         raise ConfigError(notice("evaluation.shutter_options"))
     movements = [(speed, 0.0) for speed in args.speeds]
     if args.turning_deg:
         movements.append((args.speeds[0], args.turning_deg))
     shutters = ((0.0, True), (args.readout_ms / 1000, False), (args.readout_ms / 1000, True))
-    how = args.engine, args.images, args.fps, args.seconds
+    how = args.trials.engine, args.trials.images, args.trials.fps, args.seconds
     cases = [
         ShutterCase(speed, turning, readout, known, *how)
         for speed, turning in movements
         for readout, known in shutters
     ]
-    figures = run_trials(run_trial, cases, args)
+    figures = run_trials(run_trial, cases, args.participants, args.trials)
     rows = rows_of(movements, figures, args.participants)
     found = summary(rows)
-    finish(args, found, table(rows))
+    finish(args.trials, found, table(rows))
     return 0 if found["ok"] else 1
 
 

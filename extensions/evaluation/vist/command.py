@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import argparse
 import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, TextIO
 
+from extensions.evaluation.commands import EvaluateVistArguments
 from extensions.evaluation.session_names import SESSIONS
 from extensions.evaluation.vist.agreement import lines_of
 from extensions.evaluation.vist.cases import (
@@ -27,7 +27,6 @@ from extensions.evaluation.vist.run import run_cases
 from extensions.evaluation.vist.stored import StoredTrials
 from extensions.evaluation.vist.table import HEAD, line_of, paper_line, row_of
 from extensions.evaluation.vist.trial import models
-from tracker.base.arguments import options_of
 from tracker.base.errors import ConfigError
 from tracker.base.files import check_folder_target
 from tracker.base.notices import notice
@@ -43,19 +42,20 @@ QUICK_PARTICIPANTS = 2
 QUICK_MINUTES = 0.35
 
 
-def run(args: argparse.Namespace) -> int:
+def run(args: EvaluateVistArguments) -> int:
     """Run the cases, print the table, and write the selected outputs."""
     check_json(args)
     if args.out:
         check_folder_target(args.out, args.force)
-    cases = cases_of(options_of(VistOptions, args))
-    participants = QUICK_PARTICIPANTS if args.quick else args.participants
-    stored = StoredTrials(args.keep) if args.keep else None
-    done_of = run_cases(cases, participants, args.processes, stored=stored)
+    chosen = args.options
+    cases = cases_of(chosen)
+    participants = QUICK_PARTICIPANTS if chosen.quick else chosen.participants
+    stored = StoredTrials(chosen.keep) if chosen.keep else None
+    done_of = run_cases(cases, participants, chosen.processes, stored=stored)
     # cases that Ctrl+C prevented have no trials
     results = [(case, trials) for case, trials in zip(cases, done_of, strict=True) if trials]
     table = sys.stderr if args.json == "-" else sys.stdout
-    _print_table(results, table, args.all_keypoints)
+    _print_table(results, table, chosen.all_keypoints)
     rows = [row_of(case, trials) for case, trials in results]
     if args.json:
         write_json({"rows": rows}, args.json, args.force)

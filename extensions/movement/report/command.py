@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import argparse
-
+from extensions.movement.commands import ReportArguments
 from extensions.movement.report.write import as_json, write_report
 from tracker.base.terminal import check_json, finish
 from tracker.session.overview import sessions_in
 
 
-def report(args: argparse.Namespace) -> int:
+def report(args: ReportArguments) -> int:
     """Write the page and the table."""
     paths = [path for path, _ in sessions_in(args.sessions)]
     check_json(args, paths)

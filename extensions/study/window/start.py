@@ -7,7 +7,7 @@ from pathlib import Path
 from PySide6.QtWidgets import QFileDialog
 
 from app.panels.command_kind import CommandContext
-from app.window.start import open_window
+from app.window.start import open_another
 from app.window.window_options import WindowOptions
 from app.words import error_text, tr
 from extensions.study.folder import Study, start_study
@@ -23,7 +23,7 @@ def open_study_window(study: Study, participant: str, simulated: bool) -> int:
     def then(context: CommandContext) -> None:
         show_study(context, study, participant)
 
-    return open_window(WindowOptions(demo=simulated, devices=not simulated), then, alone=False)
+    return open_another(WindowOptions(demo=simulated, devices=not simulated), then)
 
 
 def show_study(context: CommandContext, study: Study, participant: str = "") -> None:

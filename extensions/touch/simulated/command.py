@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
 import numpy as np
 
+from extensions.touch.command import EvaluateTouchArguments
 from extensions.touch.simulated.trial import FAULTS, WearerFigures, run_trial
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
@@ -25,7 +25,7 @@ TURNS = (0, 1, 2, 3, 0)
 """Number of the fault of each of five wearers, one after the other: two have none."""
 
 
-def evaluate_touch(args: argparse.Namespace) -> int:
+def evaluate_touch(args: EvaluateTouchArguments) -> int:
     """Let the wearers take the test and print the figures."""
     check_json(args)
     ENGINES.get(args.engine)  # raises ConfigError if the name is unknown

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import argparse
-
 from tracker.base.terminal import check_json, finish
+from tracker.offline.commands import ImportArguments
 from tracker.offline.imports.run import ImportOptions, import_imus
 
 
-def run_import(args: argparse.Namespace) -> int:
+def run_import(args: ImportArguments) -> int:
     check_json(args, args.sources)
     pairs = [word.partition("=") for word in args.imu]
     options = ImportOptions(args.glove, args.hand, {imu: name for imu, _, name in pairs})

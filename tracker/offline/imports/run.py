@@ -152,7 +152,7 @@ class ImportOptions:
 
 
 def import_imus(
-    sources: list[Path], out: Path, options: ImportOptions | None = None, force: bool = False
+    sources: Sequence[Path], out: Path, options: ImportOptions | None = None, force: bool = False
 ) -> dict[str, Any]:
     """Writes a session of the samples in ``sources``; returns a summary.
 
