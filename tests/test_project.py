@@ -215,7 +215,7 @@ CLOCKS = {
     "tracker/doctor/command_runs.py": "when the report was made",
     "tracker/base/urgency.py": "how much of a processor a real-time thread uses",
     "tracker/doctor/machine.py": "rates of devices and of the disk",
-    "tracker/doctor/speed.py": "how long tracking takes",
+    "tracker/doctor/computer.py": "how long tracking takes",
     "app/engines/demo.py": "begins now",
     "app/engines/apart/news.py": "when a status is due",
     "app/engines/apart/process.py": "how often the window is refreshed",

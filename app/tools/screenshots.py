@@ -10,22 +10,30 @@ import time
 from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
+from typing import TypeVar
+
+from PySide6.QtWidgets import QDialog, QWidget
+
+from app.viewmodels.glove_setup import SetUpPhase
+from app.window.headless_report import wait_until
+from app.window.main_window import MainWindow
+from app.wizards.camera import CameraSetup
+from app.wizards.glove.wizard import GloveSetup
+from app.wizards.stereo.wizard import StereoWizard
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 import cv2
 import numpy as np
 from PySide6.QtGui import QImage
-from PySide6.QtWidgets import QApplication, QTreeWidget, QWidget
+from PySide6.QtWidgets import QApplication, QTreeWidget
 
 from app.engines.demo_camera import FPS, DemoChoice
 from app.engines.protocols import RecordingRequest
 from app.engines.snapshot import Snapshot
 from app.storage.settings import SettingsStore
-from app.tools.screenshots_set_up import take_set_up
 from app.widgets.curve_plot import CurvePlot
-from app.window.headless_report import START_TIMEOUT, wait_until
-from app.window.main_window import MainWindow
+from app.window.headless_report import START_TIMEOUT
 from app.window.sources import demo_factory
 from tracker.messages import Tracking
 
@@ -208,3 +216,74 @@ def save(widget: QWidget, path: Path) -> None:
 
 if __name__ == "__main__":
     sys.exit(main())
+
+
+D = TypeVar("D", bound=QDialog)
+PAGE_PATIENCE = 90.0  # s for a page to be ready on a busy machine
+VIEWS = 15
+Save = Callable[[QWidget, Path], None]
+
+
+def take_set_up(window: MainWindow, out: Path, save: Save) -> bool:
+    """All pages in both themes; False where one did not get ready."""
+
+    def both(dialog: QDialog, name: str) -> None:
+        for theme in ("light", "dark"):
+            window.set_theme(theme)
+            wait_until(lambda: False, 0.3)
+            save(dialog, out / f"{name}-{theme}.png")
+
+    return _stereo(window, both) and _glove(window, both) and _camera(window, both)
+
+
+Both = Callable[[QDialog, str], None]
+
+
+def _opened(window: MainWindow, command: str, name: str, kind: type[D]) -> D:
+    window.run_command(command)
+    wait_until(lambda: name in window.set_up.dialogs, PAGE_PATIENCE)
+    dialog = window.set_up.dialogs[name]
+    assert isinstance(dialog, kind)
+    return dialog
+
+
+def _stereo(window: MainWindow, both: Both) -> bool:
+    wizard = _opened(window, "stereo", "stereo", StereoWizard)
+    wizard.resize(980, 680)  # whatever the off-screen screen is
+    both(wizard, "stereo-board")
+    wizard.go_on()
+    ready = wait_until(lambda: wizard.collect.list.count() >= VIEWS, PAGE_PATIENCE)
+    both(wizard, "stereo-views")
+    wizard.go_on()
+    ready = ready and wait_until(wizard.next.isEnabled, PAGE_PATIENCE)
+    both(wizard, "stereo-result")
+    wizard.go_on()
+    ready = ready and wait_until(wizard.next.isEnabled, PAGE_PATIENCE)
+    both(wizard, "stereo-check")
+    wizard.close()
+    return ready
+
+
+def _glove(window: MainWindow, both: Both) -> bool:
+    dialog = _opened(window, "glove_setup", "glove", GloveSetup)
+    wait_until(lambda: not window.tasks.tasks, PAGE_PATIENCE)
+    both(dialog, "glove-choice")
+    dialog.tabs.setCurrentWidget(dialog.still)
+    ready = wait_until(dialog.still.start.isEnabled, PAGE_PATIENCE)
+    dialog.still.begin()
+    ready = ready and wait_until(lambda: dialog.still.table.rowCount() > 0, PAGE_PATIENCE)
+    both(dialog, "glove-still")
+    dialog.tabs.setCurrentWidget(dialog.wiggle)
+    dialog.wiggle.begin()
+    ready = ready and wait_until(lambda: dialog.wiggle.phase == SetUpPhase.DONE, PAGE_PATIENCE)
+    both(dialog, "glove-wiggle")
+    dialog.close()
+    return ready
+
+
+def _camera(window: MainWindow, both: Both) -> bool:
+    dialog = _opened(window, "camera_setup", "camera", CameraSetup)
+    wait_until(lambda: not window.tasks.tasks, PAGE_PATIENCE)
+    both(dialog, "camera-setup")
+    dialog.close()
+    return True

@@ -266,7 +266,7 @@ class EvaluateInertialArguments:
 INERTIAL = Command(
     "evaluate inertial",
     "estimate finger angles from IMUs, following the protocol of Lemak et al. 2020",
-    deferred("extensions.evaluation.inertial.commands:evaluate_inertial_command"),
+    deferred("extensions.evaluation.inertial.report:evaluate_inertial_command"),
     options=EvaluateInertialArguments,
 )
 

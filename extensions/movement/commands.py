@@ -67,7 +67,7 @@ class OpensimBodyArguments:
 OPENSIM_BODY = Command(
     "opensim-body",
     "attach tracked hands to a whole-body OpenSim model",
-    deferred("extensions.movement.body_command:opensim_body"),
+    deferred("extensions.movement.whole_body:opensim_body"),
     options=OpensimBodyArguments,
 )
 

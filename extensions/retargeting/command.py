@@ -45,7 +45,7 @@ class RetargetingConfigArguments:
 CONFIG = Command(
     "retargeting-config",
     "write a dex-retargeting configuration for a robot hand",
-    deferred("extensions.retargeting.command_runs:write_config"),
+    deferred("extensions.retargeting.config:write_config"),
     options=RetargetingConfigArguments,
     description="Writes the configuration file of dex-retargeting (vector, position or DexPilot) "
     "for the robot hand in an MJCF or URDF file: links, landmarks, scaling factor, and the "

@@ -18,12 +18,17 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
-from extensions.robot.finger_map import PALM
+from extensions.retargeting.command import RetargetingConfigArguments
+from extensions.robot.finger_map import PALM, map_given
 from extensions.robot.fingers import joint_ranges, plain
-from extensions.robot.hand import HandFile
-from extensions.robot.urdf import joint_link, tip_link
+from extensions.robot.hand import HandFile, load_hand, read_hand
+from extensions.robot.library import model_path, need_mujoco
+from extensions.robot.settings import RobotSettings
+from extensions.robot.urdf import joint_link, robot_urdf, tip_link
 from extensions.robot.wearer_hand import FINGERS, PARTS
 from glovetrack.conventions import MEDIAPIPE, R_B_OPERATOR, in_order
+from tracker.base.files import check_target, write_whole
+from tracker.glove import library
 from tracker.hand.model import HandModel
 from tracker.messages import Array
 
@@ -172,3 +177,27 @@ def _word(text: str) -> str:
 
 def _list(words: Iterable[str]) -> str:
     return "[" + ", ".join(map(_word, words)) + "]"
+
+
+GLOVES = {"right": "vist-small", "left": "vist-small-left"}
+
+
+def write_config(args: RetargetingConfigArguments) -> None:
+    """Write the configuration and, if the file is not a URDF whose links end at the fingertips,
+    the URDF that it names."""
+    need_mujoco()
+    urdf = args.out.with_suffix(".urdf")
+    path, fingers = model_path(args.model), map_given(args.fingers)
+    check_target(args.out, args.force, [path])
+    file = read_hand(path, fingers)
+    side = file.anatomy.side
+    own = path.suffix.lower() == ".urdf" and links_suffice(file)
+    wearer, _ = library.load(GLOVES[side], args.hand or f"reference-{side}")
+    name = str(path.resolve()) if own else urdf.name
+    text = config_text(dex_hand(file, name, own), args.kind, wearer)
+    if not own:
+        check_target(urdf, args.force, [path])
+        hand = load_hand(RobotSettings(args.model, side, fingers.text))
+        write_whole(urdf, robot_urdf(hand, tips=True), args.force)
+    write_whole(args.out, text, args.force)
+    print(f"{args.out}: {args.kind} retargeting of a {side} hand")

@@ -15,7 +15,6 @@ from extensions.study.command import (
     StudyStatusArguments,
     StudyTablesArguments,
 )
-from extensions.study.examples import protocol_path
 from extensions.study.folder import Study, open_study, start_study
 from extensions.study.headless import run_headless
 from extensions.study.overview import (
@@ -127,3 +126,19 @@ def _other_extension(name: str) -> Iterator[None]:
         yield
     except ModuleNotFoundError as error:
         raise ConfigError(failure("study.needs_extension", name=name)) from error
+
+
+FOLDER = Path(__file__).parent / "protocols"
+
+
+def names() -> list[str]:
+    """Names of the examples."""
+    return sorted(path.stem for path in FOLDER.glob("*.toml"))
+
+
+def protocol_path(given: str) -> Path:
+    """The path of a protocol file, or of an example by its name."""
+    path = Path(given)
+    if path.suffix or path.exists() or given not in names():
+        return path
+    return FOLDER / f"{given}.toml"

@@ -305,6 +305,6 @@ def test_all_checks_are_registered_in_their_order() -> None:
 
 
 def test_the_processor_is_measured_on_simulated_data() -> None:
-    from tracker.doctor.speed import detection_s, tracking_s
+    from tracker.doctor.computer import detection_s, tracking_s
 
     assert 0 < detection_s(1) < 10 and 0 < tracking_s(warm=0.2, span=0.2) < 60

@@ -245,7 +245,7 @@ class FitGloveArguments:
 FIT_GLOVE = Command(
     "fit-glove",
     "fit a glove file to a glove: marker positions and IMU mountings",
-    deferred("tracker.offline.fit_glove_command:run"),
+    deferred("tracker.offline.fit_glove:run"),
     options=FitGloveArguments,
     description="Measures from a recording of free motion where the markers and IMUs of this "
     "glove are, with standard deviations, and writes a copy of its glove file. Record one hand in "
@@ -339,7 +339,7 @@ class LineTimeArguments:
 LINE_TIME = Command(
     "line-time",
     "estimate the line time of a camera with a rolling shutter from a recording",
-    deferred("tracker.offline.line_time_command:run"),
+    deferred("tracker.offline.line_time:run"),
     options=LineTimeArguments,
     description="Tracks the recording with several readout times and finds the one with which "
     "markers are nearest to their predictions, together with the time offset of the camera. Swing "
@@ -372,7 +372,7 @@ class ImuNoiseArguments:
 IMU_NOISE = Command(
     "imu-noise",
     "measure the noise of a glove's IMUs from a recording at rest",
-    deferred("tracker.offline.imu_noise_command:run"),
+    deferred("tracker.offline.imu_noise:run"),
     options=ImuNoiseArguments,
     description="Computes the Allan deviation of the longest rest in a recording, fits white "
     "noise, bias instability and random walk, and can write them into a glove file. A recording of "
@@ -401,7 +401,7 @@ class ImuAxesArguments:
 IMU_AXES = Command(
     "imu-axes",
     "estimate scale and cross-axis errors of a glove's IMUs from rests in several positions",
-    deferred("tracker.offline.imu_values_command:run_axes"),
+    deferred("tracker.offline.imu_values:run_axes"),
     options=ImuAxesArguments,
     description="Fasten the glove to a box, record, and lay the box on each of its six sides and "
     "on some edges, with two seconds of rest each. Gravity gives the accelerometers' errors, and "
@@ -433,7 +433,7 @@ class ImuDriftArguments:
 IMU_DRIFT = Command(
     "imu-drift",
     "learn how the biases of a glove's IMUs change with the temperature",
-    deferred("tracker.offline.imu_values_command:run_drift"),
+    deferred("tracker.offline.imu_values:run_drift"),
     options=ImuDriftArguments,
     description="Uses the rests in recordings of a glove that reports its temperatures (firmware "
     "1.3). Earlier results in the glove file are improved by further recordings.",
@@ -467,6 +467,6 @@ class ImportArguments:
 IMPORT = Command(
     "import",
     "create a session from another program's raw IMU data",
-    deferred("tracker.offline.imports.command:run_import"),
+    deferred("tracker.offline.imports.run:run_import"),
     options=ImportArguments,
 )

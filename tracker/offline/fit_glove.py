@@ -9,8 +9,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from tracker.base.command import UsageError
 from tracker.base.errors import FileError
+from tracker.base.files import check_target, make_folder, name_part, write_whole
 from tracker.base.notices import notice
+from tracker.base.terminal import check_json, finish, progress_line
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
 from tracker.fusion.chain.calibration.glove_fit import COLLECT, GloveFit, fit_glove
@@ -18,9 +21,11 @@ from tracker.fusion.chain.engine import ChainSavedState
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.glove.files import parse_glove
 from tracker.glove.fitted import Fitted, with_fit
+from tracker.glove.library import user_folder
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, CameraImuSample, ImuSample
+from tracker.offline.commands import FitGloveArguments
 from tracker.offline.runs import arrival
 from tracker.offline.track import recorded_messages
 from tracker.session.reader import SessionReader
@@ -133,3 +138,27 @@ def fit_json(found: FittedGlove) -> Mapping[str, Any]:
             for j, name in enumerate(found.glove.imu_names)
         },
     }
+
+
+def _target(args: FitGloveArguments) -> Path | None:
+    if args.target is not None and args.name is not None:
+        raise UsageError(notice("fit_glove.both_targets"))
+    if args.name is None:
+        return args.target
+    return user_folder("gloves") / f"{name_part(args.name)}.toml"
+
+
+def run(args: FitGloveArguments) -> int:
+    target, inputs = _target(args), [args.session]
+    check_json(args, inputs)
+    if target is not None:
+        if args.name is not None:
+            make_folder(target.parent)
+        check_target(target, args.force, inputs)
+    found = fit_session(args.session, progress_line("tracking the glove"))
+    lines = fit_lines(found)
+    if target is not None:
+        write_whole(target, found.text, args.force, inputs)
+        lines.append(f"{target}: the glove file, fitted")
+    finish(args, dict(fit_json(found)), lines, inputs)
+    return 0

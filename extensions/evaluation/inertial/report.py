@@ -247,3 +247,8 @@ def _log_axes(ax: Axes, title: str) -> None:
     ax.set_xlabel("duration of the motion, s")
     ax.set_ylabel("RMS error, °")
     ax.grid(alpha=0.3, which="both")
+
+
+def evaluate_inertial_command(args: EvaluateInertialArguments) -> int:
+    """Run the evaluation; imports numba and matplotlib only now."""
+    return evaluate_inertial(args)

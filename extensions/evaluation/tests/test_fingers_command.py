@@ -10,8 +10,7 @@ import pytest
 
 from extensions.evaluation.fingers.command import CLOTH, DISTAL, WITHOUT, rows_of, table
 from extensions.evaluation.fingers.silhouettes import as_cloth, capsules, silhouette
-from extensions.evaluation.fingers.trial import TIPS, TipErrors
-from extensions.evaluation.fingers.visible import DIGITS, Seen, shares_seen
+from extensions.evaluation.fingers.trial import DIGITS, TIPS, Seen, TipErrors, shares_seen
 from tracker.cli import main
 from tracker.hand.model import HandModel
 from tracker.hand.names import CHAINS, FINGERS

@@ -7,8 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from extensions.evaluation.gaps.command import row_of, summary, table
-from extensions.evaluation.gaps.trial import GapsFigures
+from extensions.evaluation.gaps.command import GapsFigures, row_of, summary, table
 from tracker.cli import main
 
 

@@ -8,8 +8,15 @@ from pathlib import Path
 
 import pytest
 
-from extensions.evaluation.shutter.command import ShutterRow, rows_of, summary, table
-from extensions.evaluation.shutter.trial import ShutterCase, ShutterFigures, run_trial
+from extensions.evaluation.shutter.command import (
+    ShutterCase,
+    ShutterFigures,
+    ShutterRow,
+    rows_of,
+    run_trial,
+    summary,
+    table,
+)
 from tracker.cli import main
 
 FAST = ShutterCase(2.0, 0.0, 0.018, fps=60.0, seconds=6.0)

@@ -13,8 +13,7 @@ import pytest
 
 from extensions.loopback import measure as measuring
 from extensions.loopback.command_runs import figures, lines
-from extensions.loopback.fit import DelayedLight, find_light
-from extensions.loopback.measure import LoopBack, measure
+from extensions.loopback.measure import DelayedLight, LoopBack, find_light, measure
 from tracker.base.errors import DeviceError
 from tracker.cli import main
 from tracker.sensors.glove_link import GloveLink

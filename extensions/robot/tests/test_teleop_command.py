@@ -17,7 +17,7 @@ from extensions.robot.command import RobotCommand
 from extensions.robot.driver import RobotDriver
 from extensions.robot.settings import RobotSettings
 from extensions.robot.teleop import Teleop
-from extensions.robot.teleop_live import follow_stream
+from extensions.robot.teleop_command import follow_stream
 from extensions.robot.teleop_run import DriveFigures, drive_again
 from extensions.robot.tests.hands import wearer_model
 from tests.notices import raises, shows

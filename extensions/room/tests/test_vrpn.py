@@ -28,8 +28,14 @@ from extensions.room.tests.vrpn_server import (
     message,
     pose,
 )
-from extensions.room.vrpn import MOST_BYTES, VrpnError, VrpnReader
-from extensions.room.vrpn_poses import MOST_LATE, WINDOW, ServerClock
+from extensions.room.vrpn_poses import (
+    MOST_BYTES,
+    MOST_LATE,
+    WINDOW,
+    ServerClock,
+    VrpnError,
+    VrpnReader,
+)
 from tests.notices import raises
 from tracker.base.clock import monotonic
 from tracker.base.errors import ConfigError

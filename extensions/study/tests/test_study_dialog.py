@@ -11,8 +11,8 @@ from PySide6.QtWidgets import QDialog
 
 from app.engines.protocols import RecordingRequest
 from app.window.main_window import MainWindow
+from extensions.study.command_runs import protocol_path
 from extensions.study.conductor import TrialPhase
-from extensions.study.examples import protocol_path
 from extensions.study.folder import Study, start_study
 from extensions.study.progress import ACCEPTED
 from extensions.study.tests.studies import SHORT, write_protocol

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from extensions.study.examples import FOLDER, names, protocol_path
+from extensions.study.command_runs import FOLDER, names, protocol_path
 from extensions.study.protocol import load_protocol, parse_protocol
 from extensions.study.schedule import PRACTICE, REST, TRIAL, condition_order, steps_of, williams
 from extensions.study.tests.studies import SHORT, write_protocol

@@ -14,8 +14,10 @@ from tracker.base.clock import NS, ClockAnchor, nanoseconds, seconds
 from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import check_target
 from tracker.base.notices import notice
+from tracker.base.terminal import check_json, finish
 from tracker.glove import library
 from tracker.messages import Array, ImuSample
+from tracker.offline.commands import ImportArguments
 from tracker.offline.imports.matlab import read_matlab
 from tracker.offline.imports.samples import MOST, Clocks, ImportedSamples, doubts, in_order
 from tracker.offline.imports.table import read_table
@@ -222,3 +224,17 @@ def _report(
         "left_out": left_out,
         "doubts": [text for f in used for text in doubts(f, set(wanted.values()))],
     }
+
+
+def run_import(args: ImportArguments) -> int:
+    check_json(args, args.sources)
+    pairs = [word.partition("=") for word in args.imu]
+    options = ImportOptions(args.glove, args.hand, {imu: name for imu, _, name in pairs})
+    report = import_imus(args.sources, args.out, options, args.force)
+    lines = [
+        f"{args.out}: {report['packets']} packets at {report['rate_hz']:.0f} Hz, "
+        f"{report['duration_s']:.1f} s, of {', '.join(report['imus'].values())}.",
+        *report["doubts"],
+    ]
+    finish(args, report, lines, [*args.sources, args.out])
+    return 0
