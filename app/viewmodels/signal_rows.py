@@ -24,7 +24,6 @@ LONGEST_STEP = {
     SignalSource.STATUS: 2.5,  # a recording has one per second
 }
 """Maximum s between two instants of a source; a longer gap interrupts a curve."""
-PX = ("residual_left", "residual_right")
 
 
 @dataclass(frozen=True, eq=False)

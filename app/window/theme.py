@@ -16,8 +16,6 @@ from app.widgets.icons import recolour
 from app.widgets.measures import APART, FAR, FIGURE, HEADING, NEAR, TIGHT, WIDE
 from resources import folder
 
-THEMES = ("system", "light", "dark")
-
 
 @dataclass(frozen=True)
 class Colours:

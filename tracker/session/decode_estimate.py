@@ -27,7 +27,6 @@ class EstimateDecoder:
             for what in ("keypoints", "joint_states", "keypoint_sd", "states")
         }
         self.topics = tuple(self._names)
-        self.states_topic = name(info.side, "states")
         self._tracking = Tracking.TRACKING
         self._named = {"keypoints": self._keypoint_names, "joints": self._hand.joint_names}
         self._states_of = {name: _states({}, rows) for name, rows in self._named.items()}

@@ -62,7 +62,6 @@ class ImportForm(QWidget):
         choose, choose_mapping = (QPushButton(self.tr("Choose…")) for _ in range(2))
         choose.clicked.connect(self._ask_reference)
         choose_mapping.clicked.connect(self._ask_mapping)
-        self.choose_button = choose
         self.template_button = QPushButton(self.tr("Template…"))
         self.template_button.setToolTip(
             self.tr("Write a mapping file with the points of this reference, and open it")

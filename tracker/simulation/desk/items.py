@@ -12,7 +12,6 @@ from tracker.simulation.desk.textures import Texture, felt, picture
 
 HUES = ("red", "yellow", "green", "blue")
 FRONT, BACK, SIDE = -0.02, 0.92, 0.72  # m from below the camera: area of the objects
-NEAR_HAND = 0.07  # m: between the centres of two objects
 
 
 @dataclass(frozen=True, eq=False)
