@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
-from tracker.base.arguments import argument
+from tracker.base.arguments import argument, options
 from tracker.base.command import Command
 from tracker.cli import build_parser, subparsers_of, with_window
 
@@ -65,7 +65,7 @@ def _words(parser: argparse.ArgumentParser) -> list[str]:
     return [str(choice) for action in positional for choice in action.choices or ()]
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class CompletionArguments:
     """Arguments of ``glovetrack completion``."""
 

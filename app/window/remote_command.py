@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import argparse
 import json
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 from app.platform.single_instance import ask
-from tracker.base.arguments import add_options, argument, options_of
+from tracker.base.arguments import add_options, argument, options, options_of
 from tracker.base.errors import GlovetrackError
 from tracker.base.notices import from_json, notice
 from tracker.base.terminal import check_json, finish, force_option, json_option
@@ -51,7 +51,7 @@ def _address(text: str) -> tuple[str, int]:
     return host, int(port) if colon else UDP_PORT
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class RemoteArguments:
     """Arguments of every sub-command; the others are the request itself."""
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tracker.base.arguments import argument
+from tracker.base.arguments import argument, options
 from tracker.base.command import Command
 from tracker.base.terminal import force_option, json_option
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 from tracker.base.registry import deferred
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class AppsArguments:
     """Arguments of ``glovetrack apps``."""
 
@@ -84,7 +84,7 @@ APPS = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class VehiclesArguments:
     """Arguments of ``glovetrack vehicles``."""
 

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import argparse
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
 from extensions.evaluation.session_names import SESSIONS
-from extensions.evaluation.trials import BlobTrials, Trials
 from extensions.evaluation.vist.options import VistOptions
-from tracker.base.arguments import INCLUDED, argument
+from tracker.base.arguments import INCLUDED, argument, options
 from tracker.base.command import Command
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
@@ -21,7 +20,32 @@ EVALUATE = Command[argparse.Namespace](
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
+class Trials:
+    """Arguments: how people are tracked, by blobs or also by images, how many at once, and the file
+    for the figures."""
+
+    engine: str = field(default="chain", metadata=argument("chain or vist"))
+    images: bool = field(default=False, metadata=argument("render images and detect blobs"))
+    fps: float = field(
+        default=60.0, metadata=argument("frame rate of the camera, Hz (default: 60)")
+    )
+    seed: int = field(default=0, metadata=argument("random seed of the first person"))
+    processes: int = field(
+        default=1, metadata=argument("worker processes (default: 1)", metavar="N")
+    )
+    json: str | None = json_option()
+    force: bool = force_option()
+
+
+@options
+class BlobTrials(Trials):
+    """The same without images."""
+
+    images: bool = False
+
+
+@options
 class EvaluateEffectsArguments:
     """Arguments of ``glovetrack evaluate effects``."""
 
@@ -45,7 +69,7 @@ EFFECTS = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class EvaluateFaultsArguments:
     """Arguments of ``glovetrack evaluate faults``."""
 
@@ -70,7 +94,7 @@ DEVICES = {"ideal": (False,), "real": (True,), "both": (False, True)}
 """By the values of ``--devices``: whether devices have errors, in turn."""
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class EvaluateGapsArguments:
     """Arguments of ``glovetrack evaluate gaps``."""
 
@@ -101,7 +125,7 @@ GAPS = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class EvaluateGesturesArguments:
     """Arguments of ``glovetrack evaluate gestures``."""
 
@@ -145,7 +169,7 @@ def _evaluate_robot(args: EvaluateRobotArguments) -> int:
     return evaluate_robot(args)
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class EvaluateRobotArguments:
     """Arguments of ``glovetrack evaluate robot``."""
 
@@ -186,7 +210,7 @@ TURNING_DEG = 200.0
 """Peak rate of the camera in the last row, °/s; the hand then moves with the first speed."""
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class EvaluateShutterArguments:
     """Arguments of ``glovetrack evaluate shutter``."""
 
@@ -238,7 +262,7 @@ def _rate(text: str) -> float:
     return value
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class EvaluateInertialArguments:
     """Arguments of ``glovetrack evaluate inertial``."""
 
@@ -271,7 +295,7 @@ INERTIAL = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class EvaluateHandsArguments:
     """Arguments of ``glovetrack evaluate hands``."""
 
@@ -309,7 +333,7 @@ HANDS = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class EvaluateVistArguments:
     """Arguments of ``glovetrack evaluate vist``."""
 
@@ -329,7 +353,7 @@ VIST = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class EvaluateFingersArguments:
     """Arguments of ``glovetrack evaluate fingers``."""
 

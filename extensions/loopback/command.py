@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
-from tracker.base.arguments import argument
+from tracker.base.arguments import argument, options
 from tracker.base.command import Command
 from tracker.base.registry import deferred
 from tracker.base.terminal import force_option, json_option
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class LoopBackArguments:
     """Arguments of ``glovetrack loop-back``."""
 

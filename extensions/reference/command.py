@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
-from tracker.base.arguments import argument
+from tracker.base.arguments import argument, options
 from tracker.base.command import Command
 from tracker.base.registry import deferred
 from tracker.base.terminal import force_option, json_option
 from tracker.hand.names import SIDES
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class ImportReferenceArguments:
     """Arguments of ``glovetrack import-reference``."""
 
@@ -58,7 +58,7 @@ IMPORT = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class AccuracyArguments:
     """Arguments of ``glovetrack accuracy``."""
 

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
 from extensions.robot.commands import fingers_option
 from extensions.robot.library import SHADOW
-from tracker.base.arguments import argument
+from tracker.base.arguments import argument, options
 from tracker.base.command import Command
 from tracker.base.registry import deferred
 from tracker.base.terminal import force_option
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class RetargetingConfigArguments:
     """Arguments of ``glovetrack retargeting-config``."""
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import Any
 
 from extensions.robot.library import SHADOW
-from tracker.base.arguments import argument
+from tracker.base.arguments import argument, options
 from tracker.base.command import Command
 from tracker.base.registry import deferred
 from tracker.base.terminal import force_option, json_option
@@ -22,7 +22,7 @@ def fingers_option() -> Any:
     return field(default="", metadata=more)
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class TeleopArguments:
     """Arguments of ``glovetrack teleop``."""
 
@@ -86,7 +86,7 @@ TELEOP = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class RobotHandArguments:
     """Arguments of ``glovetrack robot-hand``."""
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import argparse
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
-from tracker.base.arguments import argument
+from tracker.base.arguments import argument, options
 from tracker.base.command import Command
 from tracker.base.registry import deferred
 from tracker.base.terminal import force_option
@@ -17,7 +17,7 @@ ROOM = Command[argparse.Namespace](
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class RoomAlignArguments:
     """Arguments of ``glovetrack room align``."""
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
-from tracker.base.arguments import argument
+from tracker.base.arguments import argument, options
 from tracker.base.command import Command
 from tracker.base.registry import deferred, names_of
 from tracker.base.terminal import force_option
@@ -13,7 +13,7 @@ from tracker.base.terminal import force_option
 PAPERS = ("a4", "letter")
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class PrintArguments:
     """Arguments of ``glovetrack print``."""
 

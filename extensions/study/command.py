@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import argparse
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
-from tracker.base.arguments import argument
+from tracker.base.arguments import argument, options
 from tracker.base.command import Command
 from tracker.base.registry import deferred
 from tracker.base.terminal import force_option, json_option
@@ -19,7 +19,7 @@ STUDY = Command[argparse.Namespace](
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class StudyCheckArguments:
     """Arguments of ``glovetrack study check``."""
 
@@ -39,7 +39,7 @@ CHECK = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class StudyRunArguments:
     """Arguments of ``glovetrack study run``."""
 
@@ -71,7 +71,7 @@ RUN = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class StudyStatusArguments:
     """Arguments of ``glovetrack study status``."""
 
@@ -88,7 +88,7 @@ STATUS = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class StudyTablesArguments:
     """Arguments of ``glovetrack study tables``."""
 
@@ -124,7 +124,7 @@ TABLES = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class StudyExportArguments:
     """Arguments of ``glovetrack study export``."""
 
@@ -145,7 +145,7 @@ EXPORT = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class StudyReportArguments:
     """Arguments of ``glovetrack study report``."""
 

@@ -9,14 +9,32 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Mapping
-from dataclasses import MISSING, Field, fields
+from dataclasses import MISSING, Field, dataclass, field, fields
 from pathlib import Path
 from types import NoneType, UnionType
-from typing import Any, Literal, TypeVar, Union, get_args, get_origin, get_type_hints
+from typing import (
+    Any,
+    Literal,
+    TypeVar,
+    Union,
+    dataclass_transform,
+    get_args,
+    get_origin,
+    get_type_hints,
+)
 
 T = TypeVar("T")
 ARGUMENT = "argument"
 INCLUDED: Mapping[str, Any] = {"included": True}
+
+
+@dataclass_transform(kw_only_default=True, frozen_default=True, field_specifiers=(field,))
+def options(declared: type[T]) -> type[T]:
+    """Makes a dataclass of a command's options: for the type checker one that is frozen, with
+    keywords only. It has no methods besides ``__init__``, because each costs time when
+    ``glovetrack --help`` imports the commands."""
+    plain: type[T] = dataclass(kw_only=True, eq=False, repr=False, match_args=False)(declared)
+    return plain
 
 
 def argument(help: str, *flags: str, group: str = "", **more: Any) -> Mapping[str, Any]:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import argparse
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
-from tracker.base.arguments import argument
+from tracker.base.arguments import argument, options
 from tracker.base.command import Command
 from tracker.base.registry import deferred
 from tracker.base.terminal import force_option, json_option
@@ -14,7 +14,7 @@ from tracker.base.terminal import force_option, json_option
 FIRMWARE = Command[argparse.Namespace]("firmware", "show or write the glove's firmware")
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class FirmwareShowArguments:
     """Arguments of ``glovetrack firmware show``."""
 
@@ -36,7 +36,7 @@ SHOW = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class FirmwareWriteArguments:
     """Arguments of ``glovetrack firmware write``."""
 

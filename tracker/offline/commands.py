@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import argparse
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
-from tracker.base.arguments import INCLUDED, argument
+from tracker.base.arguments import INCLUDED, argument, options
 from tracker.base.command import Command
 from tracker.base.registry import deferred
 from tracker.base.terminal import force_option, json_option
 from tracker.offline.options import SimulateOptions, TrackOptions
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class SimulateArguments:
     """Arguments of ``glovetrack simulate``."""
 
@@ -30,7 +30,7 @@ SIMULATE = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class TrackArguments:
     """Arguments of ``glovetrack track``."""
 
@@ -58,7 +58,7 @@ TRACK = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class CropArguments:
     """Arguments of ``glovetrack crop``."""
 
@@ -84,7 +84,7 @@ CROP = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class LightArguments:
     """Arguments of ``glovetrack light``."""
 
@@ -107,7 +107,7 @@ LIGHT = Command(
 COLOURS = Command[argparse.Namespace]("colours", "fit colours to a recording, or check them")
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class ColoursFitArguments:
     """Arguments of ``glovetrack colours fit``."""
 
@@ -128,7 +128,7 @@ COLOURS_FIT = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class ColoursCheckArguments:
     """Arguments of ``glovetrack colours check``."""
 
@@ -149,7 +149,7 @@ COLOURS_CHECK = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class GapsArguments:
     """Arguments of ``glovetrack gaps``."""
 
@@ -172,7 +172,7 @@ GAPS = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class FillArguments:
     """Arguments of ``glovetrack fill``."""
 
@@ -222,7 +222,7 @@ FILL = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class FitGloveArguments:
     """Arguments of ``glovetrack fit-glove``."""
 
@@ -254,7 +254,7 @@ FIT_GLOVE = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class RigArguments:
     """Arguments of ``glovetrack rig``."""
 
@@ -319,7 +319,7 @@ RIG = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class LineTimeArguments:
     """Arguments of ``glovetrack line-time``."""
 
@@ -348,7 +348,7 @@ LINE_TIME = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class ImuNoiseArguments:
     """Arguments of ``glovetrack imu-noise``."""
 
@@ -380,7 +380,7 @@ IMU_NOISE = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class ImuAxesArguments:
     """Arguments of ``glovetrack imu-axes``."""
 
@@ -409,7 +409,7 @@ IMU_AXES = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class ImuDriftArguments:
     """Arguments of ``glovetrack imu-drift``."""
 
@@ -440,7 +440,7 @@ IMU_DRIFT = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class ImportArguments:
     """Arguments of ``glovetrack import``."""
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
-from tracker.base.arguments import argument
+from tracker.base.arguments import argument, options
 from tracker.base.command import Command
 from tracker.base.registry import deferred
 from tracker.base.terminal import force_option, json_option
@@ -21,7 +21,7 @@ from tracker.session.export.options import (
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class ExportArguments:
     """Arguments of ``glovetrack export``."""
 
@@ -115,7 +115,7 @@ EXPORT = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class InfoArguments:
     """Arguments of ``glovetrack info``."""
 
@@ -135,7 +135,7 @@ INFO = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class LatencyArguments:
     """Arguments of ``glovetrack latency``."""
 
@@ -152,7 +152,7 @@ LATENCY = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class VerifyArguments:
     """Arguments of ``glovetrack verify``."""
 
@@ -171,7 +171,7 @@ VERIFY = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class RecoverArguments:
     """Arguments of ``glovetrack recover``."""
 
@@ -194,7 +194,7 @@ RECOVER = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class CompareArguments:
     """Arguments of ``glovetrack compare``."""
 
@@ -221,7 +221,7 @@ COMPARE = Command(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@options
 class AlignArguments:
     """Arguments of ``glovetrack align``."""
 
