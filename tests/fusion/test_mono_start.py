@@ -8,7 +8,13 @@ import numpy as np
 import pytest
 
 from tracker.engine.pipeline import Pipeline
-from tracker.fusion.chain.start.mono_start import COVERING, best_position, measured_sd
+from tracker.fusion.chain.start.mono_start import (
+    COVERING,
+    UNKNOWN_COVERING,
+    best_position,
+    measured_sd,
+    with_distance_uncertainty,
+)
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array, BlobFrame, Estimate, ImuSample, Tracking, Validity
@@ -160,10 +166,31 @@ def test_a_point_is_measured_only_if_people_of_any_size_leave_it_within_5_cm() -
     unmeasured one has 3 of 6.5 %."""
     pose = ideal_rig().pose
     ahead = pose.R_GC @ np.array([0.0, 0.0, 1.0])
-    for sds, size_sd, distance in ((3, 0.065, 0.2), (3, 0.065, 0.25), (2.2, 0.04, 0.34)):
+    unknown = UNKNOWN_COVERING
+    for sds, size_sd, distance, covering in (
+        (3, 0.065, 0.2, unknown), (3, 0.065, 0.25, unknown), (2.2, 0.04, 0.34, COVERING)
+    ):  # fmt: skip
         p = pose.p_GC + distance * ahead
         limit = measured_sd(p, pose, size_sd)
-        of_pose = np.sqrt(limit**2 - (COVERING * size_sd * distance) ** 2 / 3)
+        of_pose = np.sqrt(limit**2 - (covering * size_sd * distance) ** 2 / 3)
         assert sds * size_sd * distance + 4 * of_pose == pytest.approx(0.05, abs=1e-9)
     assert measured_sd(pose.p_GC + 0.36 * ahead, pose, 0.065) == 0.0
     assert measured_sd(pose.p_GC + 0.36 * ahead, pose, 0.015) > 0.015 * 0.36 / np.sqrt(3)
+
+
+def test_each_point_of_a_hand_of_unknown_size_may_be_off_along_its_own_ray() -> None:
+    """The 99th percentile of people (ANSUR II: 189 mm ± 6.1 %; breadth ± 5.4 % given length, which
+    counts half) is 19 % larger than the file's hand of 183 mm: all points of such a hand are at
+    1.19 times their estimated distance, and within three standard deviations."""
+    mean, half = 189 / 183, np.hypot(0.061 * 189 / 183, 0.054 / 2)
+    largest = mean + 2.326 * half
+    assert largest == pytest.approx(1.19, abs=0.005)
+    pose = ideal_rig().pose
+    p = (
+        pose.p_GC
+        + np.array([[0.0, 0.0, 0.25], [0.05, 0.0, 0.33], [-0.02, 0.1, 0.42]]) @ pose.R_GC.T
+    )
+    off = np.linalg.norm((largest - 1.0) * (p - pose.p_GC), axis=1)
+    sd = with_distance_uncertainty(np.full(3, 0.003), p, pose, 0.065)
+    assert np.all(off <= 3 * sd) and np.all(off > 2.4 * sd)
+    assert off.max() > 3 * sd.min()  # the nearest point's would not cover the farthest one

@@ -158,9 +158,11 @@ class HandConfidence:
         if self.saved.one_camera:
             self.saved.p_GC = pose.p_GC
             size_sd = self.size_sd(known_size_sd)
+            ends = self.ends.positions(state)
             if size_sd > KNOWN_SIZE_SD:
-                self.saved.most_sd = min(measured_sd(state.p, pose, size_sd), MEASURED_SD)
-            self.saved.tip_sd = with_distance_uncertainty(self.saved.tip_sd, state.p, pose, size_sd)
+                farthest = ends[np.linalg.norm(ends - pose.p_GC, axis=1).argmax()]
+                self.saved.most_sd = min(measured_sd(farthest, pose, size_sd), MEASURED_SD)
+            self.saved.tip_sd = with_distance_uncertainty(self.saved.tip_sd, ends, pose, size_sd)
 
     def worn(self, state: ChainState) -> None:
         """The hand size has changed: with one camera, the distance changes with it."""

@@ -11,6 +11,7 @@ from tracker.fusion.chain.kinematics import (
     MOST_COLUMNS,
     OriginJacobians,
     origin_jacobians,
+    points_of,
     put_own,
     segment_origins,
     stretched,
@@ -99,6 +100,18 @@ class EndDeviations:
             lay.skeleton, lay.R_rest, lay.blocks, state.body, lay.tips, self.driven_ends, self.own,
             state.P,
         )  # fmt: skip
+
+    def positions(self, state: ChainState) -> Array:
+        """(A + d, 3) m in G, of the same ends."""
+        lay = self._layout
+        ends = points_of(segment_origins(lay.skeleton, state.body, state.p), state.body, lay.tips)
+        if not len(self.driven):
+            return ends
+        driven, *_ = driven_points(
+            lay.skeleton, lay.R_rest, lay.blocks, state.body, self.driven_ends, self.own, state.p,
+            state.P,
+        )  # fmt: skip
+        return np.concatenate([ends, driven[:, 1]])
 
 
 @kernel(nogil=False)
