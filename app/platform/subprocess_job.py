@@ -55,22 +55,27 @@ def _follow(pipe: Connection, progress: JobProgress) -> Any:
 
 
 def _serve(pipe: Connection, work: Work) -> None:
-    """In the subprocess: run the work and send its result."""
+    """In the subprocess."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # meant for the window, which then cancels
     if hasattr(os, "nice"):
         os.nice(LOW_PRIORITY)
+    answer(pipe, work)
+
+
+def answer(pipe: Connection, work: Work) -> None:
+    """Run the work and send its result."""
     try:
         with gather() as left_out:
-            answer = ("done", work(_ProgressReporter(pipe)))
+            result = ("done", work(_ProgressReporter(pipe)))
         pipe.send(("left out", merged(left_out)))
     except Cancelled:
         return
     except GlovetrackError as error:
-        answer = ("refused", error.notice)
+        result = ("refused", error.notice)
     except Exception as error:  # noqa: BLE001  a crash must reach the window, whatever it is
         traceback.print_exc()
-        answer = ("failed", f"{type(error).__name__}: {error}")
-    pipe.send(answer)
+        result = ("failed", f"{type(error).__name__}: {error}")
+    pipe.send(result)
 
 
 class _ProgressReporter:

@@ -14,16 +14,20 @@ import pytest
 from app.storage.settings import SettingsStore
 from app.window.main_window import MainWindow
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
+from tests.gui.jobs_here import start_here
 from tests.gui.patience import USUAL_MS, patient
 
 
 @pytest.fixture
 def qtbot(qtbot, request, qapp, monkeypatch):
     """Waits while jobs make progress; see `patience`. Windows have no style sheet, which takes half
-    of the time of making one, unless the test, which measures or looks, is ``styled``."""
+    of the time of making one, unless the test, which measures or looks, is ``styled``. The window's
+    jobs run in this process, unless the test, whose subject they are, has ``processes``."""
     if request.node.get_closest_marker("styled") is None:
         qapp.setStyleSheet("")  # of an earlier test
         monkeypatch.setattr("app.window.theme.style_sheet", lambda colours: "")
+    if request.node.get_closest_marker("processes") is None:
+        monkeypatch.setattr("app.platform.subprocess_job.start_child", start_here)
     return patient(qtbot)
 
 

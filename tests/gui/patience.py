@@ -1,5 +1,5 @@
-"""Waiting for jobs in low-priority processes, which get little processor time on a loaded computer:
-as long as they make progress, and not for a fixed time."""
+"""Waiting for jobs, which get little processor time on a loaded computer: as long as they make
+progress, and not for a fixed time."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from app.window.docks import DockShares
+from tests.gui import jobs_here
 
 USUAL_MS = 60_000  # longer than any stall of a computer
 AT_MOST = 20  # times the time-out given by a test, while a job makes progress
@@ -20,11 +21,13 @@ _USED = slice(11, 13)  # of /proc/PID/stat behind the name: user and system time
 
 
 def processor_ticks() -> int:
-    """Processor time used by the child processes of this one; 0 if unknown."""
+    """Processor time used by jobs in this process and by its child processes; 0 if unknown."""
+    places = [f"/proc/{child.pid}/stat" for child in multiprocessing.active_children()]
+    places += [f"/proc/self/task/{job.native_id}/stat" for job in list(jobs_here.RUNNING)]
     total = 0
-    for child in multiprocessing.active_children():
+    for place in places:
         try:
-            text = Path(f"/proc/{child.pid}/stat").read_text()
+            text = Path(place).read_text()
         except OSError:
             continue  # it has ended, or this system has no /proc
         total += sum(map(int, text.rpartition(")")[2].split()[_USED]))
@@ -46,7 +49,8 @@ def patient(qtbot: Any) -> Any:
                 now, ticks = time.monotonic(), processor_ticks()
                 if ticks != used:
                     used, used_at = ticks, now
-                is_stalled = not multiprocessing.active_children() or now - used_at > STALLED
+                has_jobs = bool(multiprocessing.active_children() or jobs_here.RUNNING)
+                is_stalled = not has_jobs or now - used_at > STALLED
                 if is_stalled or now > end:
                     raise
             else:

@@ -25,6 +25,7 @@ from tracker.session.reader import SessionReader
 from tracker.session.recover import needs_recovery
 from tracker.simulation.gestures import tip_distances
 
+pytestmark = pytest.mark.processes
 FPS = 15.0  # images are most of the work, and each is drawn, searched, shown and recorded
 WRITTEN = 500  # messages: packets, their estimates, images and others
 

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import time
+from functools import partial
 
 import pytest
 
-from tests.gui import patience
+from app.platform.subprocess_job import run_in_subprocess
+from app.platform.tasks import TaskOwner
+from tests.gui import jobs_here, patience
 from tracker.base.child import start_child
 
 
@@ -28,6 +31,22 @@ def test_a_job_that_makes_progress_is_waited_for(qtbot) -> None:
     qtbot.waitUntil(lambda: pipe.poll(), timeout=300)
     assert pipe.recv() == "done"
     process.join()
+
+
+def counted(progress) -> str:
+    """Uses the processor for a second."""
+    end = time.thread_time() + 1.0
+    while time.thread_time() < end:
+        pass
+    return "done"
+
+
+def test_a_job_in_this_process_is_waited_for_too(qtbot) -> None:
+    answers = []
+    owner = TaskOwner()
+    owner.run("a job", partial(run_in_subprocess, "counts", counted), done=answers.append)
+    qtbot.waitUntil(lambda: answers == ["done"], timeout=300)
+    assert not jobs_here.RUNNING
 
 
 def test_a_stalled_job_times_out(qtbot, monkeypatch: pytest.MonkeyPatch) -> None:

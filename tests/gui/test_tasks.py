@@ -18,6 +18,7 @@ from tracker.messages import ImuSample
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.session.reader import SessionReader
 
+pytestmark = pytest.mark.processes
 ROOT = Path(__file__).resolve().parents[2]
 
 OWNER_GOES_FIRST = """

@@ -96,6 +96,7 @@ def test_the_commands_need_a_replay(window: MainWindow, session: Path, qtbot) ->
     assert all(window.commands.actions[key].isEnabled() for key in keys)
 
 
+@pytest.mark.processes
 def test_a_reference_is_imported_and_the_new_session_shows_it(
     dialog: ImportDialog, wearer: Wearer, x_L: Array, replayed: MainWindow, session: Path, qtbot
 ) -> None:
