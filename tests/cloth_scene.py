@@ -1,11 +1,13 @@
 """A drawn hand whose ring and little finger only the glove's cloth shows."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tests.cloth_masks import cloth_of, looked_at
+from tests.cloth_texture import Capsule, textured
 from tracker.fusion.chain.cloth_fingers import APART, ClothFingers
 from tracker.fusion.chain.distal import DistalSegments
 from tracker.fusion.chain.kinematics import segment_positions
@@ -22,8 +24,6 @@ from tracker.vision.rig import StereoRig, default_pose, ideal_rig
 CAMERA = CameraPose(default_pose().R_GC, np.array([-0.11, 0.0, 0.37]))
 IMAGES = 4
 TIPS = "ring_tip", "little_tip"
-Capsule = tuple[Array, Array, float]
-"""Both ends (3,) m in G, and the radius, m."""
 
 
 def outline(hand: HandModel, rig: StereoRig, R: Array, p: Array, right: bool) -> NDArray[np.bool_]:
@@ -91,7 +91,17 @@ class Scene:
         return Blobs(none.uv, none.size, none.hue, none.score, cloth_of(mask))
 
     def look(self, radius: float = 0.0, beside: Sequence[Capsule] = ()) -> Estimate:
-        left, right = (self.image(side, radius, beside) for side in (False, True))
+        return self._look(*(self.image(side, radius, beside) for side in (False, True)))
+
+    def look_at_texture(self, beside: Sequence[Capsule] = ()) -> Estimate:
+        """As `look`, with a texture on the cloth and on what is ``beside`` the hand."""
+        none, seen = Blobs.empty(), [*self.capsules(np.zeros(3)), *beside]
+        left, right = (
+            replace(none, cloth=textured(seen, self.rig, CAMERA, side)) for side in (False, True)
+        )
+        return self._look(left, right)
+
+    def _look(self, left: Blobs, right: Blobs) -> Estimate:
         for _ in range(IMAGES):
             self.state.t += 1.1 * APART
             self.fingers.image(
@@ -101,13 +111,14 @@ class Scene:
 
     def capsules(self, offset: Array) -> list[Capsule]:
         """The segments of the hand, displaced by ``offset`` (3,) m in G: another one, or a shadow
-        on a surface."""
+        on a surface; without displacement, its own."""
         found = []
         for k, s in enumerate(self.layout.hand.segments):
             half = max(s.width / 2 - s.radius, 0.0)
             for side in np.linspace(-half, half, 5 if half else 1):
                 a = self.p[k] + self.R[k] @ np.array([0.0, side, 0.0]) + offset
-                found.append((a, a + self.R[k][:, 0] * s.length, s.radius))
+                length = s.length - (s.radius if s.name.endswith("distal") else 0.0)
+                found.append((a, a + self.R[k][:, 0] * length, s.radius))
         return found
 
     def estimate(self) -> Estimate:

@@ -161,19 +161,22 @@ class StereoFrame(_Frozen):
     index: int = -1
 
 
-@record("cloth", shapes={"tile": "int n", "bits": "int n"})
+@record("cloth", shapes={"tile": "int n", "bits": "int n", "bright": "int n"})
 @dataclass(frozen=True, eq=False, slots=True)
 class Cloth(_Frozen):
     """Where an image shows the glove's own colours around its blobs, every second pixel.
 
     tile (n,) numbers of squares of 16 px, row by row, ``columns`` in each of ``rows``; bits (n,):
-    bit 8 y + x is set where the pixel 2 x, 2 y of the tile has such a colour.
+    bit 8 y + x is set where the pixel 2 x, 2 y of the tile has such a colour. In ``bright`` (n,),
+    these bits are set where such a pixel is brighter than the cloth around it, which has the same
+    texture in both images; None in recordings of earlier versions.
     """
 
     columns: int
     rows: int
     tile: IntArray
     bits: IntArray
+    bright: IntArray | None = None
 
 
 @record("blobs", shapes={"uv": "n 2", "size": "n 2", "hue": "int n", "score": "n"})

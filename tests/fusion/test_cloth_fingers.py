@@ -122,6 +122,36 @@ def test_nothing_false_is_measured_beside_other_things_of_the_gloves_colour(
                 assert state == seen[tip]
 
 
+@pytest.mark.parametrize("bent", [(60.0, 80.0), (95.0, 100.0), (80.0, 90.0)])
+def test_a_shadow_near_the_hand_is_not_a_finger(
+    hand: HandModel, glove: GloveModel, bent: tuple[float, float]
+) -> None:
+    """Its outline is where an extended ring finger would be, but it is 3 cm farther away."""
+    little = (0.0, 0.0) if bent[0] == 80.0 else (95.0, 100.0)
+    scene = Scene(hand, glove, {"ring": bent, "little": little})
+    (X, Y, Z), knuckles = scene.R[hand.root].T, [f"{f}_proximal" for f in ("middle", "little")]
+    middle, outer = (scene.p[hand.index[name]] for name in knuckles)
+    outwards = np.sign((outer - middle) @ Y) * Y
+    shadow = scene.capsules(-0.03 * Z + 0.015 * outwards + 0.009 * X)
+    states = scene.point(scene.look_at_texture(shadow), "ring_tip")
+    assert states[2] == int(Validity.INFERRED)
+    alone = Scene(hand, glove, {"ring": (0.0, 0.0), "little": little})
+    off, sd, state = alone.point(alone.look_at_texture(), "ring_tip")
+    assert state == int(Validity.MEASURED) and off < 0.01 and off < 3 * sd
+
+
+@pytest.mark.parametrize("bent", [(60.0, 80.0), (95.0, 100.0)])
+def test_a_bar_in_place_of_a_finger_is_longer_than_one(
+    hand: HandModel, glove: GloveModel, bent: tuple[float, float]
+) -> None:
+    extended = Scene(hand, glove, {})
+    knuckle, tip = extended.p[hand.index["ring_proximal"]], extended.tip("ring_tip")
+    bar = [(knuckle + 0.2 * (tip - knuckle), tip + 0.5 * (tip - knuckle), 0.008)]
+    for look in (Scene.look, Scene.look_at_texture):
+        scene = Scene(hand, glove, {"ring": bent, "little": bent})
+        assert scene.point(look(scene, beside=bar), "ring_tip")[2] == int(Validity.INFERRED)
+
+
 def test_fingers_under_the_palm_are_inferred_where_their_neighbour_is_extended(
     hand: HandModel, glove: GloveModel
 ) -> None:

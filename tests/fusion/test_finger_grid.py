@@ -23,6 +23,7 @@ from tracker.vision.finger_cloth import (
     JOINT_X,
     JOINT_Y,
     SAMPLES,
+    UNKNOWN_DEPTH,
     Finger,
     FingerImages,
     covered,
@@ -58,7 +59,7 @@ def drawn_finger(posture: Array | None) -> FingerImages:
         free, r = np.zeros(classes.shape), float(radius.mean()) * rig.fx / AWAY / PITCH
         maps.append(finger_evidence(classes, free, free, r, PITCH**2))
         windows.append(window)
-    return FingerImages(finger, rig.intrinsics, np.array(windows), np.array(maps))
+    return FingerImages(finger, rig.intrinsics, np.array(windows), np.array(maps), *UNKNOWN_DEPTH)
 
 
 def test_probabilities_sum_to_one_and_have_the_neighbours_mean() -> None:

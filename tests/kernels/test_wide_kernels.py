@@ -16,7 +16,7 @@ from tracker.glove.library import texts
 from tracker.kernels import library, parts
 from tracker.simulation import flicker, render
 from tracker.simulation.demo import DemoSpec, build
-from tracker.vision import finger_cloth, search
+from tracker.vision import cloth_depth, finger_cloth, search
 from tracker.vision.cloth import ClothMap
 from tracker.vision.colours import ColourProfile, HueRange
 from tracker.vision.detector import Detector
@@ -92,9 +92,8 @@ def calls() -> dict[str, tuple[Any, ...]]:
 def of_cloth() -> dict[str, tuple[Any, ...]]:
     """Arguments of those that look for a finger in the cloth: any cloth, fingers and window."""
     rng = np.random.default_rng(5)
-    cloth = ClothMap(
-        rng.integers(0, 2**62, (60, 80)), rng.integers(0, 2, (60, 80)).astype(np.uint8)
-    )
+    bits, bright = rng.integers(0, 2**62, (2, 60, 80))
+    cloth = ClothMap(bits, rng.integers(0, 2, (60, 80)).astype(np.uint8), bright)
     rig = ideal_rig()
     window = np.array([0.0, rig.cx - 60.0, rig.cy - 100.0, 2.0])
     seen = cloth, window, rig.left.optics
@@ -106,11 +105,22 @@ def of_cloth() -> dict[str, tuple[Any, ...]]:
     finger = finger_cloth.Finger(
         np.array([0.0, 0.0, 0.3]), np.eye(3), np.eye(3), np.full(3, 0.03), np.full(3, 0.008), 0.67
     )
-    images = finger_cloth.FingerImages(finger, rig.intrinsics, window[None], evidence[None])
+    texture = finger_cloth.texture_window(*seen)
+    found, disparity = cloth_depth.matches(texture, texture), np.array([60.0, 200.0])
+    level = finger_cloth.surface_levels(*capsules, disparity)
+    depths = found, classes, known, level
+    depth = cloth_depth.depth_evidence(*depths)
+    images = finger_cloth.FingerImages(
+        finger, rig.intrinsics, window[None], evidence[None], depth, disparity
+    )
     postures = rng.normal(0, (0.003, 0.003, 0.5, 0.2, 0.5), (60, 5))
     before = finger_grid.prior(postures[0], finger_grid.INDEPENDENT)
     return {
         "tracker.vision.finger_cloth.cloth_window": seen,
+        "tracker.vision.finger_cloth.texture_window": seen,
+        "tracker.vision.finger_cloth.surface_levels": (*capsules, disparity),
+        "tracker.vision.cloth_depth.matches": (texture, texture),
+        "tracker.vision.cloth_depth.depth_evidence": depths,
         "tracker.vision.finger_cloth.covered": capsules,
         "tracker.vision.finger_cloth.covered_part": (*capsules, (40, 31)),
         "tracker.vision.finger_cloth.finger_evidence": explained,

@@ -80,7 +80,8 @@ class MessageMaker:
         """For an image of 640 by 480 px."""
         first, second = sorted(self.rng.integers(0, 590, 2).tolist())
         tile = np.r_[first : first + 9, 600 + second : 609 + second]
-        return Cloth(40, 30, tile, self.rng.integers(-(2**63), 2**63 - 1, len(tile)))
+        bits, bright = self.rng.integers(-(2**63), 2**63 - 1, (2, len(tile)))
+        return Cloth(40, 30, tile, bits, bright)
 
     def pose(self) -> CameraPose:
         return CameraPose(so3.exp(self.rng.normal(size=3)), self.rng.normal(size=3))

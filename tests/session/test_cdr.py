@@ -1,5 +1,7 @@
 """Our bytes against those of rosbags, an independent implementation of CDR."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -150,9 +152,13 @@ def test_unpacking_gives_the_identical_floats() -> None:
 @pytest.mark.parametrize("tile", [[], [0], [3599], [3598, 3599], list(range(3600))])
 def test_a_cloth_map_is_read_back_for_any_tiles(tile: list[int]) -> None:
     bits = RNG.integers(-(2**63), 2**63 - 1, len(tile))
-    back = sensors.unpack_cloth(sensors.pack_cloth(Cloth(80, 45, np.array(tile, int), bits)))
-    assert (back.columns, back.rows) == (80, 45)
-    assert back.tile.tolist() == tile and back.bits.tolist() == bits.tolist()
+    plain = Cloth(80, 45, np.array(tile, int), bits)  # as in earlier versions
+    for cloth in (plain, replace(plain, bright=~bits)):
+        back = sensors.unpack_cloth(sensors.pack_cloth(cloth))
+        assert (back.columns, back.rows) == (80, 45)
+        assert back.tile.tolist() == tile and back.bits.tolist() == bits.tolist()
+        assert tile == [] or (back.bright is None) == (cloth.bright is None)
+        assert back.bright is None or back.bright.tolist() == (~bits).tolist()
 
 
 @pytest.mark.parametrize(

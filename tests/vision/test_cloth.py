@@ -1,9 +1,22 @@
 """Which parts of an image are the glove's cloth."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from tracker.messages import Array, Blobs
-from tracker.vision.cloth import REACH, SIDE, STEP, TILE, cloth_around, cloth_map
+from tracker.vision.cloth import (
+    AROUND,
+    INSIDE,
+    REACH,
+    SIDE,
+    STEP,
+    TILE,
+    brightness_at,
+    cloth_around,
+    cloth_at,
+    cloth_map,
+)
 from tracker.vision.colours import (
     LEARNED_CELLS,
     ROOM,
@@ -57,3 +70,26 @@ def test_a_detector_adds_the_cloth_if_its_colours_include_it() -> None:
     assert knows.detect(image)[0].cloth is None
     assert knows.detect_with_cloth(image)[0].cloth is not None
     assert other.detect_with_cloth(image)[0].cloth is None
+
+
+def test_the_texture_is_what_is_brighter_than_the_cloth_around() -> None:
+    rng, shape = np.random.default_rng(4), (SIZE[0] * TILE, SIZE[1] * TILE)
+    image = np.full((*shape, 3), BRIGHT, np.uint8)
+    image[finger()] = rng.integers(56, 64, (np.count_nonzero(finger()), 3))
+    blob = Blobs(MARKER[None], np.array([[9.0, 7.0]]), np.zeros(1, np.int64), np.ones(1))
+    found = cloth_map(cloth_around(image, hue_table(worn()), blob))
+    four = sum(image[j::STEP, i::STEP].astype(int) @ (1, 2, 1) for j in (0, 1) for i in (0, 1))
+    cloth = np.zeros(four.shape, bool)
+    for y, x in np.ndindex(four.shape):
+        cloth[y, x] = cloth_at(found, STEP * x, STEP * y) == INSIDE
+    around = np.lib.stride_tricks.sliding_window_view
+    size = (2 * AROUND + 1, 2 * AROUND + 1)
+    total, count = (
+        around(np.pad(a, AROUND), size).sum(axis=(2, 3)) for a in (four * cloth, cloth.astype(int))
+    )
+    expected = np.where(cloth, np.where(four * count >= total, 1, -1), 0)
+    seen = [brightness_at(found, STEP * x, STEP * y) for y, x in np.ndindex(four.shape)]
+    assert np.array_equal(np.reshape(seen, four.shape), expected)
+    assert 0.3 < (expected[cloth] == 1).mean() < 0.7
+    unknown = replace(cloth_around(image, hue_table(worn()), blob), bright=None)
+    assert brightness_at(cloth_map(unknown), *MARKER) == 0

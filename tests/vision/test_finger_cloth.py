@@ -7,6 +7,7 @@ from tests.cloth_masks import cloth_of
 from tracker.vision.cloth import INSIDE, NOTHING, OUTSIDE, cloth_map
 from tracker.vision.finger_cloth import (
     SAMPLES,
+    UNKNOWN_DEPTH,
     Finger,
     FingerImages,
     cloth_window,
@@ -76,7 +77,7 @@ def test_the_true_posture_explains_the_cloth_best() -> None:
         windows.append(window)
     near = TRUE + np.array([0, 0, 1, 1, 1]) * np.random.default_rng(2).normal(0, 0.5, (300, 5))
     postures = np.concatenate([TRUE[None], near])
-    images = FingerImages(finger, rig.intrinsics, np.array(windows), np.array(maps))
+    images = FingerImages(finger, rig.intrinsics, np.array(windows), np.array(maps), *UNKNOWN_DEPTH)
     values = finger_likelihoods(postures, images)
     tips = finger_joints(near, finger)[:, 3]
     off = np.linalg.norm(tips - finger_joints(TRUE[None], finger)[0, 3], axis=1)

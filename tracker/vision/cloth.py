@@ -1,7 +1,8 @@
 """The glove's own cloth in an image, around the blobs, from which outlines of the hand are found.
 
 A map of every second pixel, in tiles of 8 by 8 samples that are a 64-bit number each: a few hundred
-numbers per image, which can be stored like blobs.
+numbers per image, which can be stored like blobs. A second map has one bit of the cloth's texture
+per sample, which tells how far away it is (`tracker.vision.cloth_depth`).
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from tracker.kernels.arrays import (
     ByteMatrix,
     ByteStack,
     Int8Vector,
+    Int32Matrix,
     IntMatrix,
     IntVector,
     Matrix,
@@ -28,14 +30,31 @@ from tracker.vision.hue_table import HueTable, colour_class
 SIDE, STEP = 8, 2  # samples along a tile, and px between two samples
 TILE = SIDE * STEP  # px
 NOTHING, OUTSIDE, INSIDE = 0, 1, 2  # classes of a pixel
+AROUND = 5  # samples on each side of one, whose mean brightness it is compared with
 REACH = 4.0  # times a blob's longer side: the distance from a thumb's last marker to its tip
 
 
 class ClothMap(NamedTuple):
-    """`Cloth` as an image: bits and known (rows, columns), 0 where unknown."""
+    """`Cloth` as an image: bits and known (rows, columns), 0 where unknown; bright (rows, columns)
+    bits, or (0, columns)."""
 
     bits: IntMatrix
     known: ByteMatrix
+    bright: IntMatrix
+
+
+@kernel
+def brightness_at(cloth: ClothMap, u: float, v: float) -> int:
+    """1 where a pixel of the cloth is brighter than the cloth around it, -1 where not; 0 where none
+    is known."""
+    x, y = int(np.floor(u + 0.5)), int(np.floor(v + 0.5))
+    j, i = y // TILE, x // TILE
+    if j < 0 or i < 0 or j >= cloth.bright.shape[0] or i >= cloth.bright.shape[1]:
+        return 0
+    bit = np.int64((y % TILE) // STEP * (TILE // STEP) + (x % TILE) // STEP)
+    if ((cloth.bits[j, i] >> bit) & 1) == 0:
+        return 0
+    return 1 if (cloth.bright[j, i] >> bit) & 1 else -1
 
 
 @kernel
@@ -58,7 +77,7 @@ def cloth_around(image: NDArray[np.uint8], table: HueTable, blobs: Blobs) -> Clo
     wanted = np.zeros((rows, columns), np.uint8)
     mark_tiles(wanted, blobs.uv, blobs.size)
     tile, bits = cloth_tiles(image, wanted, table.cells, table.patterns)
-    return Cloth(columns, rows, tile, bits)
+    return Cloth(columns, rows, tile, bits, brightness_tiles(image, tile, bits, (rows, columns)))
 
 
 def cloth_map(cloth: Cloth) -> ClothMap:
@@ -67,7 +86,10 @@ def cloth_map(cloth: Cloth) -> ClothMap:
     known = np.zeros((cloth.rows, cloth.columns), np.uint8)
     bits.reshape(-1)[cloth.tile] = cloth.bits
     known.reshape(-1)[cloth.tile] = 1
-    return ClothMap(bits, known)
+    bright = np.zeros((0 if cloth.bright is None else cloth.rows, cloth.columns), np.int64)
+    if cloth.bright is not None:
+        bright.reshape(-1)[cloth.tile] = cloth.bright
+    return ClothMap(bits, known, bright)
 
 
 @kernel
@@ -104,3 +126,76 @@ def cloth_tiles(
             tile[n], bits[n] = columns * j + i, word
             n += 1
     return tile[:n].copy(), bits[:n].copy()
+
+
+@kernel
+def brightness_tiles(
+    image: ByteStack, tile: IntVector, bits: IntVector, size: tuple[int, int]
+) -> IntVector:
+    """bright (n,) of a `Cloth` with tile and bits (n,), for an image with ``size`` (rows, columns)
+    tiles."""
+    rows, columns = SIDE * size[0], SIDE * size[1]
+    value, worn = np.zeros((rows, columns), np.int32), np.zeros((rows, columns), np.int32)
+    first, end, low, high = rows, 0, columns, 0
+    for n in range(len(tile)):
+        top, left, word = tile[n] // size[1] * SIDE, tile[n] % size[1] * SIDE, bits[n]
+        if word == 0:
+            continue
+        first, end = min(first, top), max(end, top + SIDE)
+        low, high = min(low, left), max(high, left + SIDE)
+        for k in range(SIDE * SIDE):
+            if (word >> np.int64(k)) & 1:
+                y, x = top + k // SIDE, left + k % SIDE
+                value[y, x], worn[y, x] = _brightness(image, STEP * y, STEP * x), 1
+    out = np.zeros(len(tile), np.int64)
+    if end <= first:
+        return out
+    part = _brighter(value[first:end, low:high].copy(), worn[first:end, low:high].copy())
+    for n in range(len(tile)):
+        top, left, word = tile[n] // size[1] * SIDE, tile[n] % size[1] * SIDE, np.int64(0)
+        if bits[n] == 0:
+            continue
+        for k in range(SIDE * SIDE):
+            bit = part[top - first + k // SIDE, left - low + k % SIDE]
+            word |= np.int64(bit) << np.int64(k)
+        out[n] = word
+    return out
+
+
+@kernel
+def _brightness(image: ByteStack, v: int, u: int) -> int:
+    """Of four pixels."""
+    total = 0
+    for y in range(v, v + 2):
+        for x in range(u, u + 2):
+            total += int(image[y, x, 0]) + 2 * int(image[y, x, 1]) + int(image[y, x, 2])
+    return total
+
+
+@kernel
+def _brighter(value: Int32Matrix, worn: Int32Matrix) -> ByteMatrix:
+    """1 where samples of the cloth are brighter than the mean of those around them; ``value`` is 0
+    where ``worn`` is."""
+    rows, columns = value.shape
+    width = 2 * AROUND + 1
+    out = np.zeros((rows, columns), np.uint8)
+    sums = np.zeros((2, columns + 2 * AROUND + 1), np.int64)  # with borders of 0
+    for y in range(rows + AROUND):
+        for x in range(columns):
+            at = x + AROUND + 1
+            if y < rows:
+                sums[0, at] += value[y, x]
+                sums[1, at] += worn[y, x]
+            if y >= width:
+                sums[0, at] -= value[y - width, x]
+                sums[1, at] -= worn[y - width, x]
+        to = y - AROUND
+        if to < 0:
+            continue
+        total, count = sums[0, :width].sum(), sums[1, :width].sum()
+        for x in range(columns):
+            total += sums[0, x + width] - sums[0, x]
+            count += sums[1, x + width] - sums[1, x]
+            if worn[to, x] != 0:
+                out[to, x] = value[to, x] * count >= total
+    return out

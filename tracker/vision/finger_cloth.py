@@ -18,12 +18,13 @@ from tracker.kernels.arrays import (
     Float32Matrix,
     Float32Stack,
     Float32Stack4,
+    Int32Matrix,
     Matrix,
     Stack,
     Vector,
     Written,
 )
-from tracker.vision.cloth import INSIDE, NOTHING, OUTSIDE, ClothMap, cloth_at
+from tracker.vision.cloth import INSIDE, NOTHING, OUTSIDE, ClothMap, brightness_at, cloth_at
 from tracker.vision.rig import NEAREST, Optics, StereoIntrinsics, raw_pixel
 
 SAMPLES = 96  # along a side of a window
@@ -43,6 +44,8 @@ OUTLINE = np.minimum(
 CLOTH_COVERED, CLOTH_UNCOVERED = 0.93, 0.38  # probability of the glove's colours
 CLOTH_IN_RIM, NONE_IN_RIM = -0.83, 0.67  # ln of the likelihood ratio along the rim of a finger
 LEVELS = 256  # of how much of a sample is explained
+SQUARES_ALIKE = 40.0  # samples² of the comparison of both images that count as one
+FRONT = 0.85  # radii from a finger's axis to its surface, where it is evaluated
 PIXELS_ALIKE = 200.0  # px² that count as one sample: cloth, shade and outlines are correlated
 ALONG = (5, 4, 4)  # positions along each segment
 LINE, RIM = 0.5, 1.45  # distance of the lines from the axis, relative to the radius
@@ -50,6 +53,9 @@ RIM_FROM = 2  # positions on the first segment that are too close to the palm to
 RIM_WEIGHT, END_WEIGHT = 0.3, 0.35
 END_RAYS = tuple((float(np.cos(a)), float(np.sin(a))) for a in (-1.2, -0.6, 0.0, 0.6, 1.2))
 """Directions beyond a fingertip, along and across the finger."""
+AHEAD, AHEAD_RAYS = (1.45, 2.0, 2.6), (-0.35, 0.0, 0.35)
+"""Distances beyond the end of a finger, in radii, and directions relative to its own, rad, at which
+cloth shows that it is longer than a finger."""
 OVERLAP = 1.6  # radii between two parts of a finger that do not overlap
 JOINT_X, JOINT_Y, FLEXION, ASIDE, BEND = range(5)
 """Numbers of a posture: displacement of the first joint, m along and across the palm; flexion and
@@ -72,12 +78,17 @@ class Finger(NamedTuple):
 class FingerImages(NamedTuple):
     """A finger as cameras see it: windows (c, 4) have the camera's shift (m), the first sample (u,
     v) and the distance between samples (rectified px); maps (c, 2, n + 2, n + 2) are those of
-    `finger_evidence`; inside is the weight of the first of them."""
+    `finger_evidence`; depth (levels, n + 2, n + 2), without levels if unknown, is `depth_evidence`
+    in the first window; disparity (2,) has samples m and samples: the number of a level is the
+    latter less the former divided by the distance of the surface; inside is the weight of the first
+    of the maps."""
 
     finger: Finger
     rig: StereoIntrinsics
     windows: Matrix
     maps: Float32Stack4
+    depth: Float32Stack
+    disparity: Vector
     inside: float = 1.0
 
 
@@ -93,20 +104,43 @@ def _raw_nodes(window: Vector, camera: Optics) -> Stack:
     return out
 
 
+@kernel
+def _raw_at(nodes: Stack, x: int, y: int) -> tuple[float, float]:
+    """Raw px of a sample between the nodes of its window."""
+    j, b = y // EACH, (y % EACH) / EACH
+    i, a = x // EACH, (x % EACH) / EACH
+    u = (1 - b) * ((1 - a) * nodes[j, i, 0] + a * nodes[j, i + 1, 0])
+    u += b * ((1 - a) * nodes[j + 1, i, 0] + a * nodes[j + 1, i + 1, 0])
+    v = (1 - b) * ((1 - a) * nodes[j, i, 1] + a * nodes[j, i + 1, 1])
+    v += b * ((1 - a) * nodes[j + 1, i, 1] + a * nodes[j + 1, i + 1, 1])
+    return u, v
+
+
 @kernel(wide=True)
 def cloth_window(cloth: ClothMap, window: Vector, camera: Optics) -> ByteMatrix:
     """The class (`cloth.INSIDE`, …) of each sample, (n, n), of a window (`FingerImages`)."""
     nodes = _raw_nodes(window, camera)
     out = np.empty((SAMPLES, SAMPLES), np.uint8)
     for y in range(SAMPLES):
-        j, b = y // EACH, (y % EACH) / EACH
         for x in range(SAMPLES):
-            i, a = x // EACH, (x % EACH) / EACH
-            u = (1 - b) * ((1 - a) * nodes[j, i, 0] + a * nodes[j, i + 1, 0])
-            u += b * ((1 - a) * nodes[j + 1, i, 0] + a * nodes[j + 1, i + 1, 0])
-            v = (1 - b) * ((1 - a) * nodes[j, i, 1] + a * nodes[j, i + 1, 1])
-            v += b * ((1 - a) * nodes[j + 1, i, 1] + a * nodes[j + 1, i + 1, 1])
+            u, v = _raw_at(nodes, x, y)
             out[y, x] = cloth_at(cloth, u, v)
+    return out
+
+
+UNKNOWN_DEPTH = np.zeros((0, SAMPLES + 2, SAMPLES + 2), np.float32), np.zeros(2)
+"""depth and disparity of `FingerImages` without texture."""
+
+
+@kernel(wide=True)
+def texture_window(cloth: ClothMap, window: Vector, camera: Optics) -> Int32Matrix:
+    """The texture (`cloth.brightness_at`) of each sample, (n, n), of a window."""
+    nodes = _raw_nodes(window, camera)
+    out = np.zeros((SAMPLES, SAMPLES), np.int32)
+    for y in range(SAMPLES):
+        for x in range(SAMPLES):
+            u, v = _raw_at(nodes, x, y)
+            out[y, x] = brightness_at(cloth, u, v)
     return out
 
 
@@ -120,6 +154,31 @@ def _in_window(ends: Stack, radius: Vector, rig: StereoIntrinsics, window: Vecto
             out[k, 2 * i] = f * (x - window[0]) / z + (rig.cx - window[1]) / window[3]
             out[k, 2 * i + 1] = rig.fy / window[3] * y / z + (rig.cy - window[2]) / window[3]
         out[k, 4] = f * radius[k] / (0.5 * (ends[k, 0, 2] + ends[k, 1, 2]))
+    return out
+
+
+@kernel(wide=True, error_model="numpy")
+def surface_levels(
+    ends: Stack, radius: Vector, rig: StereoIntrinsics, window: Vector, disparity: Vector
+) -> Matrix:
+    """(n, n) level of disparity (`FingerImages`) of the nearest of the capsules, as for `covered`;
+    infinite where none is."""
+    out, capsules = np.full((SAMPLES, SAMPLES), np.inf), _in_window(ends, radius, rig, window)
+    for k in range(len(capsules)):
+        u0, v0, u1, v1, r = capsules[k]
+        du, dv = u1 - u0, v1 - v0
+        along_u, along_v = du / (du * du + dv * dv + 1e-9), dv / (du * du + dv * dv + 1e-9)
+        m = r + SOFT
+        first, end = max(int(min(u0, u1) - m), 0), min(int(max(u0, u1) + m) + 2, SAMPLES)
+        for y in range(max(int(min(v0, v1) - m), 0), min(int(max(v0, v1) + m) + 2, SAMPLES)):
+            for x in range(first, end):
+                t = min(max((x - u0) * along_u + (y - v0) * along_v, 0.0), 1.0)
+                a, b = x - u0 - t * du, y - v0 - t * dv
+                d2 = a * a + b * b
+                if d2 < m * m:
+                    z = ends[k, 0, 2] + t * (ends[k, 1, 2] - ends[k, 0, 2])
+                    z -= radius[k] * np.sqrt(max(1.0 - d2 / (r * r), 0.0))
+                    out[y, x] = min(out[y, x], disparity[1] - disparity[0] / z)
     return out
 
 
@@ -284,6 +343,18 @@ def _end_rim(rim: Float32Matrix, end: tuple[float, float, float, float], r: floa
 
 
 @kernel
+def _at_depth(
+    depth: Float32Stack, at: tuple[float, float], across: tuple[float, float], level: float
+) -> float:
+    """Mean of the evidence of a surface at a ``level`` on both sides of a position."""
+    if level <= -1.0 or level >= len(depth):
+        return 0.0
+    map_ = depth[np.uint64(min(max(int(level + 0.5), 0), len(depth) - 1))]
+    (u, v), x, y = at, LINE * across[0], LINE * across[1]
+    return 0.5 * (_value(map_, u + x, v + y) + _value(map_, u - x, v - y))
+
+
+@kernel
 def _inside(
     map_: Float32Matrix, at: tuple[float, float], across: tuple[float, float], weight: float
 ) -> float:
@@ -306,7 +377,9 @@ def _at_sides(
 
 
 @kernel
-def _first_in_view(ends: Matrix, maps: Float32Stack, near: Written[Matrix], inside: float) -> float:
+def _first_in_view(
+    ends: Matrix, maps: Float32Stack, near: Written[Matrix], inside: float, depth: Float32Stack
+) -> float:
     """As `_others_in_view`, of the first segment; puts its positions into ``near`` (n, 2)."""
     du, dv, r = ends[1, 0] - ends[0, 0], ends[1, 1] - ends[0, 1], ends[0, 2]
     length, total = np.sqrt(du * du + dv * dv) + 1e-6, 0.0
@@ -319,14 +392,19 @@ def _first_in_view(ends: Matrix, maps: Float32Stack, near: Written[Matrix], insi
             total += _at_sides(maps, (u, v), (x, y), inside)
         else:
             total += _inside(maps[0], (u, v), (x, y), inside)
+        if len(depth) > 0 and q >= RIM_FROM:
+            level = ends[0, 3] + t * (ends[1, 3] - ends[0, 3])
+            total += _at_depth(depth, (u, v), (x, y), level) / SQUARES_ALIKE
     return 2 * r * length / ALONG[0] * total
 
 
 @kernel
-def _others_in_view(ends: Matrix, maps: Float32Stack, near: Matrix, inside: float) -> float:
-    """ln of the likelihood ratio in one window of the second and third segment: ends (6, 3) are u,
-    v and radius, in samples, of both ends of each segment; near (n, 2) are positions on the first
-    segment."""
+def _others_in_view(
+    ends: Matrix, maps: Float32Stack, near: Matrix, inside: float, depth: Float32Stack
+) -> float:
+    """ln of the likelihood ratio in one window of the second and third segment: ends (6, 4) are u,
+    v and radius, in samples, and the level of disparity, of both ends of each segment; near (n, 2)
+    are positions on the first segment."""
     total = 0.0
     for k in range(1, 3):
         du, dv = ends[2 * k + 1, 0] - ends[2 * k, 0], ends[2 * k + 1, 1] - ends[2 * k, 1]
@@ -348,14 +426,18 @@ def _others_in_view(ends: Matrix, maps: Float32Stack, near: Matrix, inside: floa
                 if least < whole:
                     weight *= np.sqrt(least / whole)
             total += weight * _at_sides(maps, (u, v), (-ev * r, eu * r), inside)
+            if len(depth) > 0:
+                level = ends[2 * k, 3] + t * (ends[2 * k + 1, 3] - ends[2 * k, 3])
+                there = _at_depth(depth, (u, v), (-ev * r, eu * r), level)
+                total += weight / SQUARES_ALIKE * there
     return total
 
 
 @kernel(error_model="numpy")
-def _put_ends(
-    ends: Written[Matrix], joints: Matrix, finger: Finger, rig: StereoIntrinsics, window: Vector
-) -> None:
-    """u, v and radius (6, 3) of both ends of each segment in the samples of a window."""
+def _put_ends(ends: Written[Matrix], joints: Matrix, images: FingerImages, window: Vector) -> None:
+    """u, v and radius in the samples of a window, and level of disparity, (6, 4), of both ends of
+    each segment."""
+    finger, rig, disparity = images.finger, images.rig, images.disparity
     shift, u0, v0, pitch = window[0], window[1], window[2], window[3]
     fx, fy, u0, v0 = rig.fx / pitch, rig.fy / pitch, (rig.cx - u0) / pitch, (rig.cy - v0) / pitch
     for k in range(4):
@@ -364,8 +446,36 @@ def _put_ends(
         if k < 3:
             r = finger.radius[k] * fx / (0.5 * (joints[k, 2] + joints[k + 1, 2]))
             ends[2 * k, 0], ends[2 * k, 1], ends[2 * k, 2] = u, v, r
+            front = joints[k, 2] - FRONT * finger.radius[k]
+            ends[2 * k, 3] = disparity[1] - disparity[0] / front
         if k > 0:
             ends[2 * k - 1, 0], ends[2 * k - 1, 1], ends[2 * k - 1, 2] = u, v, ends[2 * k - 2, 2]
+            front = joints[k, 2] - FRONT * finger.radius[k - 1]
+            ends[2 * k - 1, 3] = disparity[1] - disparity[0] / front
+
+
+@kernel(error_model="numpy")
+def beyond_end(posture: Vector, images: FingerImages) -> float:
+    """Mean ln of the likelihood ratio of an independent sample of the rim beyond the end of a
+    finger in a posture (5,): negative where cloth that nothing else explains continues there."""
+    finger, windows = images.finger, images.windows
+    joints, ends, total, count = np.empty((4, 3)), np.empty((6, 4)), 0.0, 0
+    _put_joints(joints, posture, finger)
+    if joints[:, 2].min() < 3 * NEAREST:
+        return 0.0
+    for c in range(len(windows)):
+        _put_ends(ends, joints, images, windows[c])
+        du, dv, r = ends[5, 0] - ends[4, 0], ends[5, 1] - ends[4, 1], ends[5, 2]
+        length = np.sqrt(du * du + dv * dv) + 1e-6
+        eu, ev = du / length, dv / length
+        u, v = ends[5, 0] - 0.5 * r * eu, ends[5, 1] - 0.5 * r * ev
+        for angle in AHEAD_RAYS:
+            for radii in AHEAD:
+                x, y = np.cos(angle) * radii * r, np.sin(angle) * radii * r
+                value = _value(images.maps[c, 1], u + eu * x - ev * y, v + ev * x + eu * y)
+                total += value * PIXELS_ALIKE / windows[c, 3] ** 2
+                count += 1
+    return total / max(count, 1)
 
 
 @kernel(wide=True, error_model="numpy")
@@ -373,7 +483,8 @@ def finger_likelihoods(postures: Matrix, images: FingerImages) -> Vector:
     """(n,) ln of the likelihood ratio (eq. 70) of a finger in each of the postures (n, 5) to
     none."""
     finger, windows, maps = images.finger, images.windows, images.maps
-    out, joints, ends = np.zeros(len(postures)), np.empty((4, 3)), np.empty((6, 3))
+    out, joints, ends = np.zeros(len(postures)), np.empty((4, 3)), np.empty((6, 4))
+    none = images.depth[:0]
     near, first = np.empty((len(windows), ALONG[0], 2)), np.zeros(len(windows))
     short = 0.5 * finger.radius[2] / finger.length[2]
     before = -1  # the posture whose first segment is in `near`
@@ -388,8 +499,9 @@ def finger_likelihoods(postures: Matrix, images: FingerImages) -> Vector:
             joints[3, i] += short * (joints[2, i] - joints[3, i])
         before = h
         for c in range(len(windows)):
-            _put_ends(ends, joints, finger, images.rig, windows[c])
+            _put_ends(ends, joints, images, windows[c])
+            depth = images.depth if c == 0 else none
             if is_new:
-                first[c] = _first_in_view(ends, maps[c], near[c], images.inside)
-            out[h] += first[c] + _others_in_view(ends, maps[c], near[c], images.inside)
+                first[c] = _first_in_view(ends, maps[c], near[c], images.inside, depth)
+            out[h] += first[c] + _others_in_view(ends, maps[c], near[c], images.inside, depth)
     return out

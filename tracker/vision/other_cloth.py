@@ -43,7 +43,8 @@ def _without(cloth: Cloth, uv: Array, size: Array) -> Cloth:
     middle = TILE * (np.stack([columns, rows], axis=1) + 0.5)
     apart = np.maximum(np.abs(middle[:, None] - uv) - TILE / 2, 0.0)
     free = ((apart**2).sum(axis=2) > size**2).all(axis=1)
-    return replace(cloth, tile=cloth.tile[free], bits=cloth.bits[free])
+    bright = None if cloth.bright is None else cloth.bright[free]
+    return replace(cloth, tile=cloth.tile[free], bits=cloth.bits[free], bright=bright)
 
 
 def _discs(hand: PosedHand) -> tuple[Array, Array]:

@@ -25,10 +25,11 @@ from tracker.fusion.chain.finger_grid import (
     variance_about,
 )
 from tracker.fusion.chain.finger_view import (
-    FingerView,
+    ClothViews,
     KnownParts,
+    cloth_views,
     finger_images,
-    finger_views,
+    is_other_thing,
     rim_part,
 )
 from tracker.fusion.chain.kinematics import segment_positions
@@ -206,8 +207,8 @@ class ClothFingers:
         fingers = [self._finger(d, hand, pose) for d in self.digits]
         known = self._known.capsules(hand.R, hand.p, hand.scale)
         centre = np.mean([f.base + AHEAD * f.palm[:, 0] for f in fingers], axis=0)
-        views = finger_views(self._rig, pose, cloths, known, centre)
-        if not views:
+        views = cloth_views(self._rig, pose, cloths, known, centre)
+        if not views.each:
             self.no_image(state.t)
             return
         self._fit(hand, fingers, views, due, state.t)
@@ -245,7 +246,7 @@ class ClothFingers:
         )
 
     def _fit(
-        self, hand: _Hand, fingers: list[Finger], views: list[FingerView], due: list[int], t: float
+        self, hand: _Hand, fingers: list[Finger], views: ClothViews, due: list[int], t: float
     ) -> None:
         """The fingers that are ``due``, one after the other; each explains its part of the cloth to
         the others."""
@@ -267,6 +268,8 @@ class ClothFingers:
             found = fit(start, neighbour, images, share)
             self._put(now, k, fingers[k], found)
             now.evidence[k] = min(now.evidence[k], LEAST_RIM * rim_part(now.posture[k], images))
+            if is_other_thing(now.posture[k], images):
+                now.evidence[k] = min(now.evidence[k], HIDDEN_BELOW)
             if not now.is_fitted[k]:
                 now.posture[k] = found.hidden
             if now.evidence[k] < HIDDEN_BELOW:

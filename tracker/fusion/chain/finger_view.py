@@ -11,12 +11,15 @@ from numpy.typing import NDArray
 from tracker.hand.model import HandModel
 from tracker.messages import Array, CameraPose, Cloth, IntArray
 from tracker.vision.cloth import cloth_map
+from tracker.vision.cloth_depth import NEAREST_LEVEL, depth_evidence, matches
 from tracker.vision.end_cloth import EndImages, ExpectedEnd, end_evidence, part_side, part_start
 from tracker.vision.finger_cloth import (
     SAMPLES,
     SPACING,
+    UNKNOWN_DEPTH,
     Finger,
     FingerImages,
+    beyond_end,
     cloth_window,
     covered,
     covered_part,
@@ -24,13 +27,16 @@ from tracker.vision.finger_cloth import (
     finger_joints,
     finger_likelihoods,
     separates,
+    surface_levels,
+    texture_window,
 )
-from tracker.vision.rig import NEAREST, Camera, StereoRig
+from tracker.vision.rig import NEAREST, Camera, StereoIntrinsics, StereoRig
 
 LINES = 5  # capsules side by side that represent a broad segment
 PALM_START = np.array([0.017, 0.24, -0.009])  # of a metacarpal: m, share of the knuckle's y, m
 PALM_END = np.array([-0.003, 0.002, -0.008])  # m from the knuckle; y outwards
 PALM_RADIUS = 0.0135  # m
+LONGER = -0.25  # of `beyond_end`; below, cloth continues beyond the fingertip
 ARM, ARM_WIDTH, ARM_RADIUS = 0.1, 0.02, 0.025  # m of the forearm that may have the glove's colours
 
 
@@ -129,11 +135,41 @@ def _view(
     return FingerView(window, classes, covered(*known, rig.intrinsics, window))
 
 
+class ClothViews(NamedTuple):
+    """The cameras that show the cloth, the known parts, ends (k, 2, 3) m in C and radii (k,) m, and
+    the `matches` of both windows, (levels, n, n), or without levels if they are unknown."""
+
+    each: list[FingerView]
+    known: tuple[Array, Array]
+    matches: NDArray[np.float32]
+
+
+def cloth_views(
+    rig: StereoRig,
+    pose: CameraPose,
+    cloths: Sequence[Cloth | None],
+    known: tuple[Array, Array],
+    centre: Array,
+) -> ClothViews:
+    """As `finger_views`, with the cloth's distance."""
+    each = finger_views(rig, pose, cloths, known, centre)
+    in_C = (known[0] - pose.p_GC) @ pose.R_GC, known[1]
+    maps = [cloth_map(c) for c in cloths if c is not None and c.bright is not None]
+    if min(len(each), len(maps)) < 2:
+        return ClothViews(each, in_C, np.zeros((0, SAMPLES, SAMPLES), np.float32))
+    cameras: tuple[Camera, Camera] = rig.left, rig.right
+    textures = [
+        texture_window(cloth, view.window, camera.optics)
+        for cloth, view, camera in zip(maps, each, cameras, strict=True)
+    ]
+    return ClothViews(each, in_C, matches(*textures))
+
+
 def finger_images(
     finger: Finger,
     others: Sequence[tuple[Finger, Array]],
     rig: StereoRig,
-    views: Sequence[FingerView],
+    views: ClothViews,
 ) -> FingerImages:
     """The evidence where ``others`` are the other fingers without sensors in their assumed postures
     (5,)."""
@@ -145,16 +181,49 @@ def finger_images(
             radius.append(other.radius)
     capsules = np.concatenate(ends), np.concatenate(radius)
     r, maps = float(finger.radius.mean()) / SPACING, []
-    for view in views:
-        drawn = covered(*capsules, of, view.window)
-        maps.append(finger_evidence(view.classes, view.known, drawn, r, float(view.window[3]) ** 2))
-    return FingerImages(finger, of, np.array([v.window for v in views]), np.array(maps))
+    drawn = [covered(*capsules, of, view.window) for view in views.each]
+    for view, others_drawn in zip(views.each, drawn, strict=True):
+        area = float(view.window[3]) ** 2
+        maps.append(finger_evidence(view.classes, view.known, others_drawn, r, area))
+    depth, disparity = _depth(views, drawn, capsules, of)
+    windows = np.array([v.window for v in views.each])
+    return FingerImages(finger, of, windows, np.array(maps), depth, disparity)
+
+
+def _depth(
+    views: ClothViews, drawn: Sequence[Array], others: tuple[Array, Array], of: StereoIntrinsics
+) -> tuple[NDArray[np.float32], Array]:
+    """depth and disparity of `FingerImages`, for ``others`` (capsules) that cover the samples of
+    each view as ``drawn``."""
+    if not len(views.matches):
+        return UNKNOWN_DEPTH
+    left, right = views.each
+    pitch = left.window[3]
+    offset = (left.window[1] - right.window[1]) / pitch
+    disparity = np.array([of.fx * of.baseline / pitch, NEAREST_LEVEL + offset])
+    ends, radius = (np.concatenate(p) for p in zip(views.known, others, strict=True))
+    level = surface_levels(ends, radius, of, left.window, disparity)
+    covered_too = 1.0 - (1.0 - left.known) * (1.0 - drawn[0])
+    return depth_evidence(views.matches, left.classes, covered_too, level), disparity
 
 
 def rim_part(posture: Array, images: FingerImages) -> float:
-    """What the rim contributes to the ln of the likelihood ratio of a posture (5,): negative where
-    the finger is in front of other things with the glove's colours."""
+    """What the rim and the distance contribute to the ln of the likelihood ratio of a posture (5,):
+    negative where the finger is in front of other things with the glove's colours, unless these
+    are farther away."""
     return float(finger_likelihoods(posture[None], images._replace(inside=0.0))[0])
+
+
+def is_other_thing(posture: Array, images: FingerImages) -> bool:
+    """Whether what looks like a finger in a posture (5,) is not one: it is longer, or in another
+    distance from the cameras."""
+    if beyond_end(posture, images) < LONGER:
+        return True
+    if not len(images.depth):
+        return False
+    flat = images._replace(depth=UNKNOWN_DEPTH[0])
+    with_depth, without = (finger_likelihoods(posture[None], i)[0] for i in (images, flat))
+    return bool(with_depth < without)
 
 
 def end_images(

@@ -168,13 +168,15 @@ def unpack_detections(data: bytes) -> Detections:
 
 
 def pack_cloth(cloth: Cloth) -> bytes:
-    """columns, rows, number of runs of tiles; the runs' first tiles, their lengths; all bits."""
+    """columns, rows, number of runs of tiles; the runs' first tiles, their lengths; all bits; then
+    those of the brightness, if it is known."""
     begins = np.flatnonzero(np.diff(cloth.tile, prepend=-2) != 1)
     lengths = np.diff(begins, append=len(cloth.tile))
     head = [cloth.columns, cloth.rows, len(begins)]
     out = CdrWriter()
     out.no_layout()
-    out.long_list(np.concatenate([head, cloth.tile[begins], lengths, cloth.bits]))
+    bright = cloth.tile[:0] if cloth.bright is None else cloth.bright
+    out.long_list(np.concatenate([head, cloth.tile[begins], lengths, cloth.bits, bright]))
     return out.done()
 
 
@@ -187,13 +189,17 @@ def unpack_cloth(data: bytes) -> Cloth:
     columns, rows, n = values[:3].tolist()
     if not (0 <= columns < LONGEST_IMAGE and 0 <= rows < LONGEST_IMAGE and 0 <= n < len(values)):
         raise CdrError("a map of cloth is larger than any image")
-    first, length, bits = np.split(values[3:], [n, 2 * n])
-    inside = (first >= 0) & (length > 0) & (length <= len(bits)) & (first < columns * rows)
-    if not inside.all() or length.sum() != len(bits) or (first + length > columns * rows).any():
+    first, length, found = np.split(values[3:], [n, 2 * n])
+    inside = (first >= 0) & (length > 0) & (length <= len(found)) & (first < columns * rows)
+    count = int(length[inside].sum())
+    if not inside.all() or (first + length > columns * rows).any():
+        raise CdrError("a map of cloth has parts that are not in its image")
+    if len(found) not in (count, 2 * count):
         raise CdrError("a map of cloth has parts that are not in its image")
     before = np.cumsum(length) - length
-    tile = np.arange(len(bits)) + np.repeat(first - before, length)
-    return Cloth(columns, rows, tile, bits.copy())
+    tile = np.arange(count) + np.repeat(first - before, length)
+    bright = found[count:].copy() if len(found) > count else None
+    return Cloth(columns, rows, tile, found[:count].copy(), bright)
 
 
 def _best_hypothesis(source: CdrReader) -> tuple[str, float] | None:
