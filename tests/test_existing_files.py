@@ -83,7 +83,7 @@ def sessions(shared_folder: Path) -> Sessions:
 
 def make_sessions(folder: Path) -> None:
     made = Sessions.in_folder(folder)
-    run("simulate", "-o", made.raw, "--duration", 4, "--fps", 10)
+    run("simulate", "-o", made.raw, "--duration", 3.6, "--fps", 10)
     run("track", made.raw, "-o", made.tracked, "--with-sensors")
     run("track", made.raw, "-o", made.again, "--engine", "vist")
     run("export", made.tracked, "--format", "imu.csv", "-o", made.table)
@@ -146,7 +146,7 @@ CASES: dict[str, Words] = {
         "--seconds",
         4,
         "--fps",
-        10,
+        5,
         "--json",
         f / "j.json",
     ],
@@ -296,6 +296,7 @@ def files_in(folder: Path) -> dict[Path, bytes]:
 
 
 @pytest.mark.timeout(600)
+@pytest.mark.usefixtures("workers_here")
 @pytest.mark.parametrize("command", CASES)
 def test_what_exists_survives_without_force_and_is_replaced_with_it(
     command: str, sessions: Sessions, tmp_path: Path, quick: None
