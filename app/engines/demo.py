@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pickle
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import partial
@@ -43,6 +43,7 @@ from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
 from tracker.glove import library
 from tracker.hand.names import FINGERS
+from tracker.live.listeners import ListenerKind
 from tracker.live.recording import Recorder
 from tracker.live.runner import LiveTracker
 from tracker.sensors.glove_link import GloveLink, serial_port
@@ -97,16 +98,16 @@ def build_demo(
     seed: int,
     choice: DemoChoice,
     camera: DemoCamera | None = None,
-    listened: bool = True,
+    kinds: Iterable[ListenerKind] | None = None,
 ) -> Built:
-    """As `demo_setup`, with the way to the simulated wearer. ``listened``: with the listeners that
-    other packages attach to the hands."""
+    """As `demo_setup`, with the way to the simulated wearer. Listeners of ``kinds``, by
+    default of all, are attached to the hands."""
     progress(0.1, tr("a simulated wearer and camera"))
     spec = demo_spec(seed, choice)
     camera = camera or start_camera(seed, choice)  # starts in a process of its own
     glove_process = GloveProcess(spec)  # and so do the gloves
     try:
-        return _built_with(progress, spec, choice.has_camera, (camera, glove_process), listened)
+        return _built_with(progress, spec, choice.has_camera, (camera, glove_process), kinds)
     except BaseException:  # also after Ctrl+C no process may remain
         camera.close()
         glove_process.close()
@@ -118,7 +119,7 @@ def _built_with(
     spec: DemoSpec,
     has_camera: bool,
     devices: tuple[DemoCamera, GloveProcess],
-    listened: bool,
+    kinds: Iterable[ListenerKind] | None,
 ) -> Built:
     camera, glove_process = devices
     wearers = hands_of(build_scene(spec))
@@ -171,9 +172,7 @@ def _built_with(
                 _seen_from(glove, tracker, camera_part, profile, close),
                 live=LivePart(tracker, tracker.hand(side), make_recorder, wearer),
                 truth=SimulatedTruth(glove.simulation, t_0),
-                listeners=tracker.hand(side).attach_listeners(glove.link.vibrate)
-                if listened
-                else {},
+                listeners=tracker.hand(side).attach_listeners(glove.link.vibrate, kinds),
                 application=shown_application(spec.motion),
                 anchor=info.anchor,
             )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -36,6 +36,7 @@ from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
 from tracker.firmware.versions import advice
 from tracker.glove import library
+from tracker.live.listeners import ListenerKind
 from tracker.live.runner import LiveTracker
 from tracker.sensors.camera import StereoCamera, UnfitImages
 from tracker.sensors.camera_plugins import all_cameras
@@ -87,11 +88,11 @@ class FoundDevices:
 
 
 def hardware_setup(
-    progress: JobProgress, settings: AppSettings, listened: bool = True
+    progress: JobProgress, settings: AppSettings, kinds: Iterable[ListenerKind] | None = None
 ) -> EngineSetup:
     """Find the devices and build an engine for them, even if the glove or the camera is missing.
 
-    ``listened``: with the listeners that other packages attach to the hands.
+    Listeners of ``kinds``, by default of all, are attached to the hands.
 
     Raises DeviceError if both are missing.
     """
@@ -145,7 +146,7 @@ def hardware_setup(
             close=recorders.close,
             connection=connection,
             live=LivePart(tracker, hand, make_recorder),
-            listeners=hand.attach_listeners(link.vibrate if link else None) if listened else {},
+            listeners=hand.attach_listeners(link.vibrate if link else None, kinds),
             missing=" ".join(found.missing),
             anchor=info.anchor,
         )

@@ -117,6 +117,9 @@ def main(argv: Sequence[str] | None = None) -> int:
         "--lenses", choices=LENSES, default="both", help="lenses of the demo's camera"
     )
     parser.add_argument(
+        "--motion", default="", help="motion of the demo, such as show:touch, with its application"
+    )
+    parser.add_argument(
         "--drawn", action="store_true", help="render all images before the demo starts"
     )
     parser.add_argument("--apart", action="store_true", help="track in a process of its own")
@@ -134,7 +137,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         if args.cycles:
             figures["cycles"] = asdict(cycle(app, args.cycles, Path(folder)))
         if args.minutes:
-            choice = DemoChoice(args.fps, args.hands, lenses=args.lenses)
+            choice = DemoChoice(args.fps, args.hands, lenses=args.lenses, motion=args.motion)
             found = soak(args.minutes, choice, Path(folder), args.drawn, args.apart)
             figures["soak"] = asdict(found)
     text = json.dumps(figures, indent=2)

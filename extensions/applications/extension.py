@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from tracker.base.registry import deferred
-from tracker.live.listeners import ListenerKind
+from tracker.live.listeners import RemoteListenerKind
 
 if TYPE_CHECKING:
     from extensions.applications.interface import Application
@@ -29,8 +29,11 @@ class ApplicationKind:
     order: int = 100
 
 
-LISTENER = ListenerKind(
-    "applications", "Applications", deferred("extensions.applications.live:listener")
+LISTENER = RemoteListenerKind(
+    "applications",
+    "Applications",
+    deferred("extensions.applications.live:listener"),
+    proxy=deferred("extensions.applications.remote:ApplicationProxy"),
 )
 TOUCH = ApplicationKind(
     "touch",

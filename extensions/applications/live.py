@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import threading
-from collections import deque
+from collections import Counter, deque
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from extensions.applications.extension import LISTENER
+from extensions.applications.remote import ApplicationProxy, StageNews
 from extensions.applications.runner import Outcome
+from extensions.applications.sharing import Packed, Sender
 from extensions.applications.sinks import KIND as MOTOR
 from extensions.applications.sinks import all_sinks
-from extensions.applications.stage import ApplicationStage
+from extensions.applications.stage import ApplicationStage, ShownStage
 from tracker.base.channels import Closed, Fifo
 from tracker.base.urgency import run_soon
 from tracker.live.listeners import ListenedHand, Listener, LiveAccess
@@ -38,10 +40,10 @@ def listener(hand: ListenedHand) -> ReplayedApplication:
     return LiveApplication(stage, hand.live)
 
 
-def stage_of(listeners: Mapping[str, Listener]) -> ApplicationStage | None:
+def stage_of(listeners: Mapping[str, Listener]) -> ShownStage | None:
     """The stage among the listeners of a hand; None where it has none."""
     found = listeners.get(LISTENER.name)
-    return found.stage if isinstance(found, ReplayedApplication) else None
+    return found.stage if isinstance(found, ReplayedApplication | ApplicationProxy) else None
 
 
 class ReplayedApplication:
@@ -71,7 +73,8 @@ class _Fed(NamedTuple):
 class LiveApplication(ReplayedApplication):
     """Feeds a stage on a thread of its own, so that no application delays tracking.
 
-    The thread starts with the first estimate while an application is shown.
+    The thread starts with the first estimate while an application is shown. If a process of its own
+    tracks, this is in that process, and `ApplicationProxy` in the window's.
     """
 
     def __init__(self, stage: ApplicationStage, live: LiveAccess) -> None:
@@ -81,6 +84,7 @@ class LiveApplication(ReplayedApplication):
         self._next: _Fed | None = None
         self._thread: threading.Thread | None = None
         live.telemetry.ask(self._figures)
+        self._sender, self._sent, self._shown = Sender(), StageNews(), 0
 
     def feed(self, estimate: Estimate, t_arrival: float) -> None:
         """Queue an estimate for the thread."""
@@ -100,6 +104,41 @@ class LiveApplication(ReplayedApplication):
         if self._thread is not None:
             self._thread.join()
         super().close()
+
+    # --- requests of `ApplicationProxy`
+
+    def show(self, name: str, settings: Mapping[str, Any] | None = None) -> StageNews:
+        """As `ApplicationStage.show`; returns the new state."""
+        self.stage.show(name, settings)
+        self._shown += 1
+        return self._state()
+
+    def set(self, key: str, value: Any) -> None:
+        """As `ApplicationStage.set`."""
+        self.stage.set(key, value)
+
+    def news(self) -> Packed | None:
+        """A `StageNews` if the state has changed."""
+        now = self._state()
+        if now == self._sent:
+            return None
+        self._sent = now
+        return self._sender.pack(now)
+
+    def _state(self) -> StageNews:
+        shown, stage = self._shown, self.stage  # in this order
+        counts = Counter(dict(stage.counts))
+        return StageNews(
+            shown,
+            stage.name,
+            stage.title,
+            stage.settings,
+            stage.outcome,
+            counts,
+            stage.last,
+            stage.latest,
+            stage.problem,
+        )
 
     def _figures(self) -> dict[str, float]:
         """Number of estimates lost because an application was too slow."""

@@ -38,6 +38,34 @@ class Viewer(Protocol):
     def close(self) -> None: ...
 
 
+class ShownStage(Protocol):
+    """A stage as a panel sees it; the attributes are those of `ApplicationStage`."""
+
+    viewers: list[Viewer]
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def title(self) -> str: ...
+    @property
+    def settings(self) -> Any: ...
+    @property
+    def outcome(self) -> Outcome | None: ...
+    @property
+    def counts(self) -> Counter[str]: ...
+    @property
+    def latest(self) -> Mapping[str, Event]: ...
+    @property
+    def problem(self) -> str: ...
+    @property
+    def delays_window(self) -> bool:
+        """Whether it competes with the window for Python's lock."""
+
+    def show(self, name: str, settings: Mapping[str, Any] | None = None) -> None: ...
+    def set(self, key: str, value: Any) -> None: ...
+    def restart(self) -> None: ...
+
+
 class ApplicationStage:
     """Empty until `show`. ``tell`` receives each event in the feeding thread."""
 
@@ -59,6 +87,11 @@ class ApplicationStage:
         self.problem = ""
 
     # --- from any thread
+
+    @property
+    def delays_window(self) -> bool:
+        """It runs in a thread of this process."""
+        return True
 
     @property
     def name(self) -> str:

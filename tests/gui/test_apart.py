@@ -1,8 +1,6 @@
 """Tracking in a process of its own: the demo in a real process, and its two ends in one process."""
 
-import contextlib
 import logging
-import multiprocessing
 import os
 import select
 import signal
@@ -15,19 +13,15 @@ import numpy as np
 import pytest
 
 import glovetrack
-from app.engines.apart import process as process_module
-from app.engines.apart.child import Line, run
 from app.engines.apart.demo import DemoSource
 from app.engines.apart.reserve import Reserve
-from app.engines.apart.setup import apart_factory
-from app.engines.apart.source import Companions
 from app.engines.demo_camera import DemoChoice
-from app.engines.engine import Built
 from app.engines.protocols import RecordingRequest
 from app.jobs.calibration_commands import CalibrationCommands
 from app.jobs.guided_poses import GuidedCommands
 from app.platform.tasks import JobProgress
-from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup
+from tests.gui.apart_engine import Scripted, Subscribed, connect, eventually
+from tests.gui.gui_fakes import models, scripted_setup
 from tracker.base.errors import ConfigError, DeviceError
 from tracker.base.notices import failure, notice
 from tracker.base.shared_memory import NoSharedMemory
@@ -39,6 +33,8 @@ from tracker.session.latency import latencies_of
 from tracker.session.recover import needs_recovery
 from tracker.streaming.registry import StreamSettings, with_streams
 
+__all__ = ["connect"]  # a fixture
+
 LONG = 120_000  # ms, on a loaded computer
 CHOICE = DemoChoice(fps=10.0, scene="plain", camera_errors="none")
 
@@ -46,6 +42,12 @@ CHOICE = DemoChoice(fps=10.0, scene="plain", camera_errors="none")
 def is_tracked(window) -> bool:
     view = window.host.snapshot()
     return view is not None and view.estimate is not None and view.estimate.tracking == 1
+
+
+def has_delays(host) -> bool:
+    """Whether the engine has been sent the delays of the window and of the streams."""
+    values = host.setup.tracked.status().values
+    return {"latency_screen_ms", "latency_stream_ms"} <= values.keys()
 
 
 @pytest.fixture
@@ -89,6 +91,7 @@ def test_a_recording_is_complete_although_the_process_crashes(
     assert calibration.ask() and guided.ask()
     qtbot.waitUntil(lambda: len(answers) == 2, timeout=LONG)
     assert guided.restore_snapshot(answers[1]) and calibration.freeze(True)
+    qtbot.waitUntil(lambda: has_delays(host), timeout=LONG)  # the window is slow under load
     begun = host.setup.tracked.latest_estimate().t
     qtbot.waitUntil(lambda: host.setup.tracked.latest_estimate().t > begun + 1.5, timeout=LONG)
     host.recording.end()
@@ -150,101 +153,6 @@ def test_a_source_is_opened_although_the_waiting_process_has_ended(connect):
 
 
 # --- both ends in one process
-
-
-class Subscribed(ScriptedEngine):
-    """An engine whose estimates can be subscribed to; ``looks`` counts how often news were
-    collected."""
-
-    looks = 0
-
-    def __init__(self):
-        super().__init__()
-        self.followers, self.subscribers = [], []
-
-    def follow(self, follower):
-        self.followers.append(follower)
-
-    def subscribe(self, subscriber):
-        self.subscribers.append(subscriber)
-        return lambda: None
-
-    def drain_events(self):
-        self.looks += 1
-        return super().drain_events()
-
-    def publish(self, estimate, t_arrival=None):
-        if t_arrival is not None:
-            self.followers[0](estimate, t_arrival)
-        self.subscribers[0](estimate)
-
-
-class Scripted:
-    """A source without devices."""
-
-    def __init__(self, setup):
-        self.setup = setup
-
-    def build(self, progress):
-        progress(0.5, "half")
-        if isinstance(self.setup, Exception):
-            raise self.setup
-        return Built(self.setup)
-
-    def companions(self, opened, send):
-        return Companions()
-
-
-class ThreadAsProcess:
-    """In place of the process."""
-
-    pid = 0
-
-    def __init__(self, source):
-        self.ours, theirs = multiprocessing.Pipe()
-        self._theirs = theirs
-        self._thread = threading.Thread(target=self._run, args=(source,), daemon=True)
-        self._thread.start()
-
-    def _run(self, source):
-        try:
-            run(Line(self._theirs), source)
-        finally:
-            self._theirs.close()
-
-    def kill(self):
-        """As the end of a process: nothing more is read or written."""
-        with contextlib.suppress(OSError):  # it has ended by itself
-            line = socket.socket(fileno=os.dup(self._theirs.fileno()))
-            with line:
-                line.shutdown(socket.SHUT_RDWR)
-
-
-@pytest.fixture
-def connect(monkeypatch, no_leaks):
-    """Makes the window's end of a setup."""
-    made = []
-
-    def start(name, serve, source, language, crash, waits, daemon):
-        made.append(ThreadAsProcess(source))
-        return made[-1].ours, made[-1]
-
-    monkeypatch.setattr(process_module, "start_child", start)
-
-    def opened(setup):
-        return apart_factory(Scripted(setup))(JobProgress(lambda *_: None))
-
-    yield opened
-    for each in made:
-        each.kill()
-        each._thread.join(60.0)
-
-
-def eventually(found) -> None:
-    end = time.monotonic() + 60.0
-    while not found():
-        assert time.monotonic() < end
-        time.sleep(0.01)
 
 
 def test_the_window_sees_what_the_engine_has(connect):

@@ -1,16 +1,19 @@
 """What other packages attach to a tracked hand: each listener receives every estimate of it.
 
 A package declares a `ListenerKind` as an entry point of the group ``glovetrack.listeners``. Its
-listeners are fed by live tracking and by the replay of a recording.
+listeners are fed by live tracking and by the replay of a recording. If a process of its own tracks
+for the window, they are in the window's process; those of a `RemoteListenerKind` are in the process
+that tracks, so that they receive estimates and drive motors without waiting for the window.
 """
 
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import partial
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from tracker.base.errors import notice_of
 from tracker.base.notices import Notice, failure
@@ -85,7 +88,49 @@ class ListenerKind:
     extra: str = ""
 
 
+class RemoteListener(Listener, Protocol):
+    """A listener that a process of its own can track for; the window has a `ListenerProxy`."""
+
+    def news(self) -> object:
+        """What the window shows, for pickle; None if that has not changed. Called by one thread."""
+
+
+class ListenerLine(Protocol):
+    """Calls methods of a `RemoteListener` from the window."""
+
+    def ask(self, method: str, *args: object) -> Any:
+        """The result. Raises what the method has raised, or DeviceError without an answer."""
+
+    def tell(self, method: str, *args: object) -> None:
+        """Does not wait."""
+
+
+class ListenerProxy(Listener, Protocol):
+    """The window's representative of a `RemoteListener`."""
+
+    def take(self, news: Any) -> None:
+        """What `RemoteListener.news` has returned; each, in order, on one thread."""
+
+
+@dataclass(frozen=True)
+class RemoteListenerKind(ListenerKind):
+    """Describes a listener that runs in the process that tracks: ``make`` makes a `RemoteListener`,
+    and ``proxy`` the window's representative of it."""
+
+    proxy: Callable[[ListenerLine], ListenerProxy] = field(kw_only=True)
+
+
 LISTENERS = Registry("listeners", "listener", ListenerKind)
+
+
+def remote_kinds() -> list[RemoteListenerKind]:
+    """Kinds of the listeners that run in the process that tracks."""
+    return [kind for kind in LISTENERS.all().values() if isinstance(kind, RemoteListenerKind)]
+
+
+def local_kinds() -> list[ListenerKind]:
+    """Kinds of the others."""
+    return [k for k in LISTENERS.all().values() if not isinstance(k, RemoteListenerKind)]
 
 
 class Listeners:
@@ -98,12 +143,21 @@ class Listeners:
         self._report = report
         self.by_name: Mapping[str, Listener] = MappingProxyType({})  # replaced, never changed
 
-    def attach(self, hand: ListenedHand) -> None:
-        """Make a listener of each kind that packages declare."""
-        made = {}
-        for name, kind in LISTENERS.all().items():
+    def attach(self, hand: ListenedHand, kinds: Iterable[ListenerKind] | None = None) -> None:
+        """Make a listener of each of the ``kinds``, by default of all that packages declare."""
+        wanted = LISTENERS.all().values() if kinds is None else kinds
+        self._add({kind.name: partial(kind.make, hand) for kind in wanted})
+
+    def attach_proxies(self, line_to: Callable[[str], ListenerLine]) -> None:
+        """Make the representatives of the listeners in another process; ``line_to`` returns the
+        way to the one of a name."""
+        self._add({kind.name: partial(kind.proxy, line_to(kind.name)) for kind in remote_kinds()})
+
+    def _add(self, makers: Mapping[str, Callable[[], Listener]]) -> None:
+        made = dict(self.by_name)
+        for name, make in makers.items():
             try:
-                made[name] = kind.make(hand)
+                made[name] = make()
             except Exception as error:  # noqa: BLE001 - another package must not stop tracking
                 self._fail(name, error)
         self.by_name = MappingProxyType(made)
@@ -114,10 +168,24 @@ class Listeners:
             try:
                 listener.feed(estimate, t_arrival)
             except Exception as error:  # noqa: BLE001 - another package must not stop tracking
-                left = {n: listener for n, listener in self.by_name.items() if n != name}
-                self.by_name = MappingProxyType(left)
-                self._fail(name, error)
-                _close(name, listener)
+                self._remove(name, listener, error)
+
+    def take(self, news: Mapping[str, object]) -> None:
+        """Give the representatives of listeners in another process their news, by name."""
+        for name, its in news.items():
+            proxy = cast("ListenerProxy | None", self.by_name.get(name))
+            if proxy is None:
+                continue
+            try:
+                proxy.take(its)
+            except Exception as error:  # noqa: BLE001 - another package must not stop tracking
+                self._remove(name, proxy, error)
+
+    def _remove(self, name: str, listener: Listener, error: Exception) -> None:
+        left = {n: other for n, other in self.by_name.items() if n != name}
+        self.by_name = MappingProxyType(left)
+        self._fail(name, error)
+        _close(name, listener)
 
     def restart(self) -> None:
         """Have all start over with the next estimate."""

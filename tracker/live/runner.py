@@ -9,7 +9,7 @@ A recording and a reference engine bring a thread each (`recording`, `reference`
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import TypeVar
 
 from tracker.base.callbacks import ignore
@@ -26,7 +26,7 @@ from tracker.live.hand import Follower
 from tracker.live.history import SearchedImage
 from tracker.live.inbox import EngineCommand, GuidedCommand, Inbox, ResetCommand
 from tracker.live.journal import Journal
-from tracker.live.listeners import ListenedHand, Listener, LiveAccess, Vibrate
+from tracker.live.listeners import ListenedHand, Listener, ListenerKind, LiveAccess, Vibrate
 from tracker.live.loop import LiveLoop
 from tracker.live.recording import Recorder
 from tracker.live.right_of_way import RightOfWay
@@ -285,15 +285,18 @@ class HandOfTracker(HandRequests):
         """Returns the latest estimate; None before the first packet."""
         return self._hand.estimate
 
-    def attach_listeners(self, vibrate: Vibrate | None = None) -> Mapping[str, Listener]:
-        """Attach a listener of each kind that packages declare, and return them by name.
+    def attach_listeners(
+        self, vibrate: Vibrate | None = None, kinds: Iterable[ListenerKind] | None = None
+    ) -> Mapping[str, Listener]:
+        """Attach a listener of each of the ``kinds``, by default of all that packages declare, and
+        return them by name.
 
         To be called once, before `LiveTracker.start`; ``vibrate`` drives the glove's motors.
         """
         loop, telemetry = self._loop, self._hand.telemetry
         live = LiveAccess(loop.journal.record, telemetry, loop.clock, loop.priority, vibrate)
         pipeline = loop.hands.pipelines[self.side]
-        self._hand.listeners.attach(ListenedHand(pipeline.hand, pipeline.glove, live))
+        self._hand.listeners.attach(ListenedHand(pipeline.hand, pipeline.glove, live), kinds)
         return self._hand.listeners.by_name
 
     def set_reference(self, name: str | None) -> None:

@@ -24,6 +24,7 @@ from typing import Any
 from PySide6.QtCore import QCoreApplication
 
 from app.engines.apart.messages import (
+    LISTENER,
     Answered,
     Asked,
     Estimated,
@@ -227,6 +228,8 @@ class Desk:
         self._targets[f"hand {setup.side}"] = setup.live.hand
         if setup.connection.device is not None:
             self._targets[f"glove {setup.side}"] = setup.connection.device
+        for name, listener in setup.listeners.items():
+            self._targets[LISTENER.format(setup.side, name)] = listener
         setup.live.hand.follow(partial(self._follow, number))
         setup.live.hand.subscribe(partial(self._pass_on, number))
 

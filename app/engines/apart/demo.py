@@ -10,6 +10,7 @@ from app.engines.apart.source import Companions
 from app.engines.demo_camera import FILES, DemoChoice, start_camera
 from app.engines.engine import Built, Send
 from app.platform.tasks import JobProgress
+from tracker.live.listeners import remote_kinds
 
 if TYPE_CHECKING:
     pass
@@ -34,7 +35,7 @@ class DemoSource:
         camera = start_camera(self.seed, self.choice, self.drawn)  # before the simulator is loaded
         from app.engines.demo import build_demo  # deferred: as above
 
-        return build_demo(progress, self.seed, self.choice, camera, listened=False)
+        return build_demo(progress, self.seed, self.choice, camera, remote_kinds())
 
     def companions(self, opened: Opened, send: Send) -> Companions:
         from app.engines.apart.demo_truth import companions_of  # deferred: loads the simulator

@@ -5,16 +5,16 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
-from app.engines.apart.messages import Estimated, HandNews
+from app.engines.apart.messages import LISTENER, Estimated, HandNews
 from app.engines.apart.process import EngineProcess
 from tracker.base.callbacks import ignore
 from tracker.base.clock import monotonic
 from tracker.fusion.engine import Engine
 from tracker.live.frame_results import MOST_SHOWN, ShownFrame
 from tracker.live.history import History, SearchedImage
-from tracker.live.listeners import Listeners
+from tracker.live.listeners import ListenerLine, Listeners
 from tracker.live.right_of_way import RightOfWay
 from tracker.live.telemetry import Telemetry
 from tracker.messages import (
@@ -31,6 +31,7 @@ from tracker.messages import (
 if TYPE_CHECKING:  # the window does not load the engine
     from tracker.live.hand import Follower, Subscriber
 
+LISTENER_WAIT = 40.0  # s: a listener may import large packages
 T = TypeVar("T")
 
 
@@ -66,14 +67,28 @@ class HandCommands:
         self._process.ask_or(None, self._target, "set_reference", name)
 
 
+class LineToListener:
+    """`ListenerLine` to one in the process that tracks."""
+
+    def __init__(self, process: EngineProcess, side: str, name: str) -> None:
+        self._process, self._target = process, LISTENER.format(side, name)
+
+    def ask(self, method: str, *args: object) -> Any:
+        return self._process.ask(self._target, method, *args, wait=LISTENER_WAIT, parallel=True)
+
+    def tell(self, method: str, *args: object) -> None:
+        self._process.tell(self._target, method, *args)
+
+
 class ApartHand(HandCommands):
     """`TrackedHand` and `CommandedHand`. Written by the thread that reads the news, read by any.
 
-    ``listeners`` and what follows the hand run in the window's process.
+    What follows the hand, and ``listeners`` or their representatives, are in the window's process.
     """
 
     def __init__(self, process: EngineProcess, side: str, listeners: Listeners) -> None:
         super().__init__(process, side)
+        self._side = side
         self.listeners, self.telemetry = listeners, Telemetry()
         self.right_of_way = RightOfWay()  # no engine works in this process
         self._estimate: Estimate | None = None
@@ -87,6 +102,10 @@ class ApartHand(HandCommands):
         self._follower: Follower = ignore
         self._subscribers: tuple[Subscriber, ...] = ()  # replaced, never changed
         self._subscribing = threading.Lock()
+
+    def line_to(self, name: str) -> ListenerLine:
+        """The way to a listener in the process that tracks."""
+        return LineToListener(self._process, self._side, name)
 
     # --- what arrives
 
@@ -113,6 +132,7 @@ class ApartHand(HandCommands):
         self._calibration = news.calibration or self._calibration
         self._status = news.status or self._status
         self._reference = news.reference
+        self.listeners.take(news.listeners)
 
     # --- TrackedHand
 

@@ -30,6 +30,8 @@ from tracker.streaming.apart_estimate import packed, unpacked
 from tracker.vision.colours import ColourProfile
 
 ARRIVAL = struct.Struct("<d")
+LISTENER = "listener {} {}"
+"""The target of `Asked` for a listener: side of its hand and name."""
 ENDED = "engine.process_ended"
 """The code of the notice that the process has ended by itself."""
 
@@ -147,6 +149,7 @@ class HandNews:
     status: Status | None
     reference: Estimate | None  # of a second engine
     device: GloveReport | None
+    listeners: Mapping[str, object]  # of each that has some, `RemoteListener.news`
 
 
 @dataclass(frozen=True)

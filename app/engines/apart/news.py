@@ -5,7 +5,7 @@ from __future__ import annotations
 import logging
 import time
 from collections.abc import Mapping, Sequence
-from typing import TypeVar
+from typing import TypeVar, cast
 
 from app.engines.apart.messages import FileNews, HandNews, NewFrame, News, Pixels
 from app.engines.apart.pixels import PixelWriter
@@ -14,6 +14,7 @@ from app.engines.protocols import RecordedFile
 from tracker.base.shared_memory import NoSharedMemory
 from tracker.live.frame_results import MOST_SHOWN
 from tracker.live.history import Timed
+from tracker.live.listeners import RemoteListener
 from tracker.messages import Calibration, StereoFrame
 
 _log = logging.getLogger(__name__)
@@ -63,7 +64,13 @@ class HandWatch:
             hand.status() if self._status_due(now) else None,
             live.hand.reference_estimate() if live is not None else None,
             device.report() if device is not None and self._report_due(now) else None,
+            self._listeners(),
         )
+
+    def _listeners(self) -> dict[str, object]:
+        listeners = cast(Mapping[str, RemoteListener], self._setup.listeners)  # `remote_kinds`
+        found = {name: listener.news() for name, listener in listeners.items()}
+        return {name: news for name, news in found.items() if news is not None}
 
     def _frames(self, at: Sequence[float]) -> tuple[NewFrame, ...]:
         found = (self._setup.tracked.latest_frame(t) for t in at)

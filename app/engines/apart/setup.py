@@ -15,7 +15,7 @@ from app.engines.apart.source import Source
 from app.engines.engine import EngineSetup, LivePart
 from app.platform.tasks import JobProgress
 from tracker.base.clock import monotonic
-from tracker.live.listeners import ListenedHand, Listeners, LiveAccess
+from tracker.live.listeners import ListenedHand, Listeners, LiveAccess, local_kinds
 
 
 def apart_factory(
@@ -87,7 +87,8 @@ def apart_setup(process: EngineProcess, opened: Opened) -> EngineSetup:
 
 
 def _attach(hand: ApartHand, facts: HandFacts, device: ApartGlove | None) -> None:
-    """Attach what other packages declare to the hand, in this process."""
+    """Attach what other packages declare to the hand, here or in the process that tracks."""
     vibrate = device.vibrate if device is not None else None
     live = LiveAccess(hand.record, hand.telemetry, monotonic, hand.right_of_way, vibrate)
-    hand.listeners.attach(ListenedHand(facts.hand, facts.glove, live))
+    hand.listeners.attach(ListenedHand(facts.hand, facts.glove, live), local_kinds())
+    hand.listeners.attach_proxies(hand.line_to)

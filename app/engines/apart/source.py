@@ -10,6 +10,7 @@ from app.engines.engine import Built, Send
 from app.engines.protocols import GroundTruth, SimulatedWearer
 from app.platform.tasks import JobProgress
 from app.storage.settings import AppSettings
+from tracker.live.listeners import remote_kinds
 
 if TYPE_CHECKING:
     from app.engines.apart.messages import Opened
@@ -51,7 +52,7 @@ class DeviceSource:
     def build(self, progress: JobProgress) -> Built:
         from app.engines.hardware import hardware_setup  # deferred: loads every engine
 
-        return Built(hardware_setup(progress, self.settings, listened=False))
+        return Built(hardware_setup(progress, self.settings, remote_kinds()))
 
     def companions(self, opened: Opened, send: Send) -> Companions:
         return Companions()

@@ -149,7 +149,8 @@ class ApplicationsPanel(Panel):
 
     @property
     def needs_low_latency(self) -> bool:
-        return self.runs
+        stage = self.model.stage if self.model is not None else None
+        return stage is not None and bool(stage.name) and stage.delays_window
 
     def show_theme(self, colours: PanelColours) -> None:
         self.view.set_background(colours.scene)

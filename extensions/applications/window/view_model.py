@@ -17,7 +17,7 @@ from extensions.applications.drawing import Drawing
 from extensions.applications.live import stage_of
 from extensions.applications.registry import titles
 from extensions.applications.runner import BEGINS, ENDS, KIND
-from extensions.applications.stage import ApplicationStage
+from extensions.applications.stage import ShownStage
 from tracker.base.errors import GlovetrackError
 from tracker.streaming.publisher import StreamError
 
@@ -133,7 +133,7 @@ class ApplicationsModel:
         return instruction(stage.name, self._made(stage), located)
 
     @staticmethod
-    def _made(stage: ApplicationStage) -> ApplicationProgress:
+    def _made(stage: ShownStage) -> ApplicationProgress:
         last = {what: event.data for what, event in stage.latest.items()}
         return ApplicationProgress(Counter(dict(stage.counts)), last)
 
