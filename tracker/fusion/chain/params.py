@@ -150,11 +150,11 @@ class SynergyParams:
     offset_deg: float = 5.0
     aside_deg: float = 3.0
     posture_deg: float = 12.5
-    thumb_ratio: float = 0.40
-    thumb_middle_deg: float = 0.0
-    thumb_offset_deg: float = 9.0
+    thumb_ratio: float = 0.75
+    thumb_middle_deg: float = 20.0
+    thumb_offset_deg: float = 8.0
     thumb_aside_deg: float = 5.0
-    thumb_posture_deg: float = 15.0
+    thumb_posture_deg: float = 17.0
 
 
 @dataclass(frozen=True)
