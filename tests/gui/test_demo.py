@@ -73,21 +73,60 @@ def _recorded(window, qtbot, tmp_path):
 
 
 @pytest.mark.timeout(600)  # on a stalled computer
-def test_demo_record_stop_replay_export(demo, qtbot, tmp_path):
+def test_a_killed_recorder_and_camera_are_reported_and_what_is_recorded_is_replayed_and_exported(
+    demo, qtbot, tmp_path
+):
     path = _recorded(demo, qtbot, tmp_path)
+    _is_listed_and_exported(demo, qtbot, path, tmp_path / "out.csv")
+    incomplete = _kills_its_recorder(demo, qtbot, tmp_path)
+    next_one = _recorded(demo, qtbot, tmp_path)
+    assert len({path, incomplete, next_one}) == 3
+    qtbot.waitUntil(lambda: not needs_recovery(next_one))  # a slow disk continues
+    with SessionReader(next_one) as reader:
+        assert reader.source.contents.finished
+        assert {StereoFrame, Estimate} <= {type(m) for m in reader.messages()}
+    _kills_its_camera(demo, qtbot)
+    _is_replayed(demo, qtbot, path)
 
+
+def _kills_its_recorder(demo, qtbot, tmp_path):
+    """The recording, which is incomplete."""
+    demo.recording.set_folder(tmp_path)
+    demo.commands.actions["record"].trigger()
+    first = demo.host.recording.request.path
+    qtbot.waitUntil(lambda: demo.host.recording.written > 50)
+    [recorder] = [p for p in multiprocessing.active_children() if "recorder" in p.name]
+    recorder.kill()
+    qtbot.waitUntil(lambda: demo.log.model.entries("error", "was ended by signal 9") != [])
+    qtbot.waitUntil(lambda: demo.host.recording.request is None)
+    assert needs_recovery(first)
+    return first
+
+
+def _kills_its_camera(demo, qtbot):
+    [camera] = [p for p in multiprocessing.active_children() if "camera" in p.name]
+    camera.kill()
+    qtbot.waitUntil(lambda: demo.log.model.entries("device", "camera has ended") != [])
+    before = demo.host.snapshot().estimate.t
+    qtbot.waitUntil(lambda: demo.host.snapshot().estimate.t > before + 0.5)
+    assert demo.host.running
+
+
+def _is_listed_and_exported(demo, qtbot, path, table):
     def is_whole() -> bool:
         row = demo.library.selected()
         return row is not None and (row.path, row.integrity) == (path, "complete")
 
     qtbot.waitUntil(is_whole)
-    demo.library.exporting.add(ExportRequest(path, "csv", tmp_path / "out.csv"))
+    demo.library.exporting.add(ExportRequest(path, "csv", table))
     qtbot.waitUntil(lambda: not demo.tasks.tasks)
-    with (tmp_path / "out.csv").open() as file:
+    with table.open() as file:
         rows = list(csv.DictReader(file))
     assert len(rows) > 50
     assert {f"{k}_x" for k in MARKED_KEYPOINTS} <= set(rows[0])
 
+
+def _is_replayed(demo, qtbot, path):
     demo.library.replay.emit(path)
     qtbot.waitUntil(lambda: demo.host.setup is not None and demo.host.setup.player is not None)
     qtbot.waitUntil(lambda: _tracked(demo))
@@ -179,33 +218,6 @@ def reach(hand) -> float:
     model, glove, _ = models()
     rows = [glove.keypoint_names(model).index(name) for name in ("wrist", "middle_tip")]
     return float(np.linalg.norm(np.subtract(*hand.keypoints[rows])))
-
-
-@pytest.mark.timeout(600)  # on a stalled computer
-def test_a_killed_recorder_or_camera_is_reported_and_the_rest_continues(demo, qtbot, tmp_path):
-    demo.recording.set_folder(tmp_path)
-    demo.commands.actions["record"].trigger()
-    first = demo.host.recording.request.path
-    qtbot.waitUntil(lambda: demo.host.recording.written > 50)
-    [recorder] = [p for p in multiprocessing.active_children() if "recorder" in p.name]
-    recorder.kill()
-    entries = demo.log.model.entries
-    qtbot.waitUntil(lambda: entries("error", "was ended by signal 9") != [])
-    qtbot.waitUntil(lambda: demo.host.recording.request is None)
-    assert needs_recovery(first)
-    second = _recorded(demo, qtbot, tmp_path)
-    assert second != first
-    qtbot.waitUntil(lambda: not needs_recovery(second))  # a slow disk continues
-    with SessionReader(second) as reader:
-        assert reader.source.contents.finished
-        assert {StereoFrame, Estimate} <= {type(m) for m in reader.messages()}
-
-    [camera] = [p for p in multiprocessing.active_children() if "camera" in p.name]
-    camera.kill()
-    qtbot.waitUntil(lambda: entries("device", "camera has ended") != [])
-    before = demo.host.snapshot().estimate.t
-    qtbot.waitUntil(lambda: demo.host.snapshot().estimate.t > before + 0.5)
-    assert demo.host.running
 
 
 def test_a_gesture_does_not_wait_for_pinches_that_are_solved_in_advance(monkeypatch):
