@@ -21,7 +21,7 @@ def test_names_are_translated_and_unknown_ones_unchanged():
         assert spoken("tentacle_4") == "tentacle 4"
         assert shown_name("thumb_tip - index_tip") == "thumb Spitze - Zeigefinger Spitze"
     finally:
-        words.use(None)
+        words.use()
 
 
 def test_all_words_in_names_of_included_hands_are_known():

@@ -195,7 +195,7 @@ def test_a_catalogue_speaks_from_menus_subclasses_and_view_models(tmp_path, stor
         assert words.tr("what no file holds") == "what no file holds"
     finally:
         window.close()
-        words.use(None)
+        words.use()
         QLocale.setDefault(QLocale.system())
         for catalogue in app.findChildren(Catalogue):
             app.removeTranslator(catalogue)

@@ -97,7 +97,7 @@ def speaking(qapp):
         assert install(qapp, code) == code
 
     yield speak
-    words.use(None)
+    words.use()
     for translator in qapp.findChildren(QTranslator):
         qapp.removeTranslator(translator)
         translator.deleteLater()
