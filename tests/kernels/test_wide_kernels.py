@@ -106,6 +106,8 @@ def of_cloth() -> dict[str, tuple[Any, ...]]:
         np.array([0.0, 0.0, 0.3]), np.eye(3), np.eye(3), np.full(3, 0.03), np.full(3, 0.008), 0.67
     )
     texture = finger_cloth.texture_window(*seen)
+    image = rng.integers(0, 256, (960, 1280, 3)).astype(np.uint8)
+    tiles = image, np.arange(4800), bits.reshape(-1), (60, 80)
     found, disparity = cloth_depth.matches(texture, texture), np.array([60.0, 200.0])
     level = finger_cloth.surface_levels(*capsules, disparity)
     depths = found, classes, known, level
@@ -117,6 +119,7 @@ def of_cloth() -> dict[str, tuple[Any, ...]]:
     before = finger_grid.prior(postures[0], finger_grid.INDEPENDENT)
     return {
         "tracker.vision.finger_cloth.cloth_window": seen,
+        "tracker.vision.cloth.brightness_tiles": tiles,
         "tracker.vision.finger_cloth.texture_window": seen,
         "tracker.vision.finger_cloth.surface_levels": (*capsules, disparity),
         "tracker.vision.cloth_depth.matches": (texture, texture),

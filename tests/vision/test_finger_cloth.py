@@ -10,6 +10,7 @@ from tracker.vision.finger_cloth import (
     UNKNOWN_DEPTH,
     Finger,
     FingerImages,
+    beyond_end,
     cloth_window,
     covered,
     finger_evidence,
@@ -86,6 +87,10 @@ def test_the_true_posture_explains_the_cloth_best() -> None:
     # The rim alone: what is left without the inside.
     rims = finger_likelihoods(TRUE[None], images._replace(inside=0.0))
     assert 0.0 < rims[0] < values[0]
+    # Nothing continues beyond its end, unlike that of a shorter finger.
+    assert beyond_end(TRUE, images) > 0.4
+    shorter = finger._replace(length=finger.length * (1.0, 1.0, 0.2))
+    assert beyond_end(TRUE, images._replace(finger=shorter)) < -0.25
     # Something else that explains all of the cloth leaves nothing to the finger.
     hidden = finger_evidence(classes, np.full(classes.shape, 0.97), free, radius, PITCH**2)
     one = images._replace(windows=windows[1][None], maps=np.array([hidden]))

@@ -128,7 +128,7 @@ def cloth_tiles(
     return tile[:n].copy(), bits[:n].copy()
 
 
-@kernel
+@kernel(wide=True)
 def brightness_tiles(
     image: ByteStack, tile: IntVector, bits: IntVector, size: tuple[int, int]
 ) -> IntVector:
@@ -179,23 +179,26 @@ def _brighter(value: Int32Matrix, worn: Int32Matrix) -> ByteMatrix:
     rows, columns = value.shape
     width = 2 * AROUND + 1
     out = np.zeros((rows, columns), np.uint8)
-    sums = np.zeros((2, columns + 2 * AROUND + 1), np.int64)  # with borders of 0
+    sums = np.zeros((2, columns + width), np.int32)  # of columns, with borders of 0
+    up_to = np.zeros((2, columns + width), np.int32)
+    inside = sums[:, AROUND + 1 : AROUND + 1 + columns]
     for y in range(rows + AROUND):
-        for x in range(columns):
-            at = x + AROUND + 1
-            if y < rows:
-                sums[0, at] += value[y, x]
-                sums[1, at] += worn[y, x]
-            if y >= width:
-                sums[0, at] -= value[y - width, x]
-                sums[1, at] -= worn[y - width, x]
+        if y < rows:
+            for x in range(columns):
+                inside[0, x] += value[y, x]
+                inside[1, x] += worn[y, x]
+        if y >= width:
+            for x in range(columns):
+                inside[0, x] -= value[y - width, x]
+                inside[1, x] -= worn[y - width, x]
         to = y - AROUND
         if to < 0:
             continue
-        total, count = sums[0, :width].sum(), sums[1, :width].sum()
+        total, count = np.int32(0), np.int32(0)
+        for x in range(columns + width):
+            total, count = total + sums[0, x], count + sums[1, x]
+            up_to[0, x], up_to[1, x] = total, count
         for x in range(columns):
-            total += sums[0, x + width] - sums[0, x]
-            count += sums[1, x + width] - sums[1, x]
-            if worn[to, x] != 0:
-                out[to, x] = value[to, x] * count >= total
+            total, count = up_to[0, x + width] - up_to[0, x], up_to[1, x + width] - up_to[1, x]
+            out[to, x] = worn[to, x] * (value[to, x] * count >= total)
     return out
