@@ -105,7 +105,8 @@ class HueWatch:
         if result.tracking != Tracking.TRACKING:
             return
         matched = ((result.match_left >= 0) | (result.match_right >= 0)).sum()
-        self._shows = bool(matched >= SHARE * result.visible.sum())
+        is_complete = result.hues is None  # no hue's markers are missing, as with a wrong name
+        self._shows = is_complete and bool(matched >= SHARE * result.visible.sum())
         if not self._order and (side, result.t) in self._asked:
             self._found_side, self._order = side, self._asked[side, result.t]
 
