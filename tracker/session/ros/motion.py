@@ -12,7 +12,7 @@ import numpy as np
 
 from tracker.messages import Array
 from tracker.session.ros.cdr import CdrReader, CdrWriter
-from tracker.session.ros.repeats import Layout, Layouts
+from tracker.session.ros.repeats import FieldLayout, Layouts
 
 TF = "tf2_msgs/msg/TFMessage"
 POSES = "geometry_msgs/msg/PoseArray"
@@ -102,7 +102,7 @@ def _unpack_new_transforms(data: bytes) -> list[Transform]:
         numbers += range(source.at - 56, source.at, 8)
         out.append(Transform(stamp, frame, child, values[:3], values[3:]))
     texts = tuple(text for t in out for text in (t.frame, t.child))
-    _TRANSFORMS.remember(data, Layout(data, times, numbers, texts))
+    _TRANSFORMS.remember(data, FieldLayout(data, times, numbers, texts))
     return out
 
 
@@ -158,7 +158,7 @@ def unpack_joints(data: bytes) -> JointState:
     source.text()
     names, position = tuple(source.text_list()), source.double_list()
     numbers_at = range(source.at - 8 * len(position), source.at, 8)
-    _JOINTS.remember(data, Layout(data, [time], numbers_at, names))
+    _JOINTS.remember(data, FieldLayout(data, [time], numbers_at, names))
     return JointState(stamp, names, position)
 
 

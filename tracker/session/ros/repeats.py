@@ -25,7 +25,7 @@ class Values(NamedTuple):
     numbers: Array
 
 
-class Layout:
+class FieldLayout:
     """Where a message of these bytes has its times and its numbers, by the offsets of their first
     bytes; ``texts`` are the names in it."""
 
@@ -58,7 +58,7 @@ class Layouts:
     """The layouts of one kind of message, by their length in bytes."""
 
     def __init__(self) -> None:
-        self._known: dict[int, Layout] = {}
+        self._known: dict[int, FieldLayout] = {}
 
     def find(self, data: bytes) -> tuple[Values, tuple[str, ...]] | None:
         """Values and names of a message like one that is known."""
@@ -66,7 +66,7 @@ class Layouts:
         values = None if layout is None else layout.values(data)
         return None if layout is None or values is None else (values, layout.texts)
 
-    def remember(self, data: bytes, layout: Layout) -> None:
+    def remember(self, data: bytes, layout: FieldLayout) -> None:
         if len(self._known) >= MOST:
             self._known = {}
         self._known[len(data)] = layout
