@@ -17,10 +17,6 @@ from tracker.vision.rig import ideal_rig
 
 MOTION = 0.6  # s, in which the hand is found and corrected, which needs every kernel
 SEED, FPS = 1, 30.0
-OUTDATED = (
-    "The compiled kernels are missing or older than their source. They are compiled on first use, "
-    "and tracking can stop for seconds. To compile them now: make kernels"
-)
 
 _log = logging.getLogger(__name__)
 
@@ -37,7 +33,10 @@ def warm_up(hand: HandModel, glove: GloveModel, detector: Detector) -> None:
     """Track simulated motion and search an image; returns at once if all kernels are compiled."""
     if kernels.are_compiled():
         return
-    _log.warning(OUTDATED)
+    _log.warning(
+        "The compiled kernels are missing or older than their source. They are compiled on first "
+        "use, and tracking can stop for seconds. To compile them now: make kernels"
+    )
     warm_up_view()
     motion = RandomPostures(hand, SEED, duration=MOTION)
     simulation = Simulation(hand, glove, motion, SEED, fps=FPS)
