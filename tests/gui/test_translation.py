@@ -85,6 +85,7 @@ def test_no_words_are_handed_to_qt_untranslated():
 
 PARTS = ("viewmodels", "jobs", "engines", "storage", "panels", "window", "wizards")
 SPOKEN_TO_PROGRAMS = {
+    "engines/warm_up.py",  # the log
     "jobs/remote.py",  # answers of the remote control, which other programs read
     "window/command_line.py",
     "window/headless_report.py",  # the terminal speaks English, as does its help
