@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 from extensions.applications.extension import LISTENER
 from extensions.applications.remote import ApplicationProxy, StageNews
 from extensions.applications.runner import Outcome
-from extensions.applications.sharing import Packed, Sender
+from extensions.applications.sharing import ArraySender, Packed
 from extensions.applications.sinks import KIND as MOTOR
 from extensions.applications.sinks import all_sinks
 from extensions.applications.stage import ApplicationStage, ShownStage
@@ -84,7 +84,7 @@ class LiveApplication(ReplayedApplication):
         self._next: _Fed | None = None
         self._thread: threading.Thread | None = None
         live.telemetry.ask(self._figures)
-        self._sender, self._sent, self._shown = Sender(), StageNews(), 0
+        self._sender, self._sent, self._shown = ArraySender(), StageNews(), 0
 
     def feed(self, estimate: Estimate, t_arrival: float) -> None:
         """Queue an estimate for the thread."""

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from extensions.applications.runner import Outcome
-from extensions.applications.sharing import Packed, Receiver
+from extensions.applications.sharing import ArrayReceiver, Packed
 from extensions.applications.stage import Viewer
 from tracker.live.listeners import ListenerLine
 from tracker.messages import Estimate, Event
@@ -118,7 +118,7 @@ class ApplicationProxy:
 
     def __init__(self, line: ListenerLine) -> None:
         self.stage = RemoteStage(line)
-        self._receiver = Receiver()
+        self._receiver = ArrayReceiver()
 
     def take(self, news: Packed) -> None:
         """What `LiveApplication.news` has returned."""

@@ -22,7 +22,7 @@ class Packed(NamedTuple):
     forget: bool
 
 
-class Sender:
+class ArraySender:
     """Packs objects in the order in which they are sent. Their large arrays must not be modified
     in place."""
 
@@ -47,8 +47,8 @@ class Sender:
         return found[0]
 
 
-class Receiver:
-    """Unpacks what a `Sender` has packed: everything, in order."""
+class ArrayReceiver:
+    """Unpacks what a `ArraySender` has packed: everything, in order."""
 
     def __init__(self) -> None:
         self._known: dict[int, np.ndarray] = {}

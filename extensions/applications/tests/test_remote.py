@@ -18,7 +18,7 @@ from extensions.applications.hand import HandSample
 from extensions.applications.live import LiveApplication, stage_of
 from extensions.applications.remote import RemoteStage
 from extensions.applications.runner import KIND
-from extensions.applications.sharing import MOST, Packed, Receiver, Sender
+from extensions.applications.sharing import MOST, ArrayReceiver, ArraySender, Packed
 from extensions.applications.tests.hands import estimates
 from extensions.applications.tests.test_touch import PRESS
 from tests.gui.apart_engine import Subscribed, connect, eventually
@@ -40,7 +40,7 @@ def sent(packed: Packed) -> Packed:
 
 
 def test_large_arrays_are_sent_once() -> None:
-    sender, receiver = Sender(), Receiver()
+    sender, receiver = ArraySender(), ArrayReceiver()
     mesh = Mesh("rabbit", np.random.default_rng(1).normal(size=(5000, 3)), np.arange(900))
     sizes = []
     for x in (0.0, 0.1, 0.2):
@@ -56,7 +56,7 @@ def test_large_arrays_are_sent_once() -> None:
 
 
 def test_arrays_that_always_change_are_not_kept() -> None:
-    sender, receiver = Sender(), Receiver()
+    sender, receiver = ArraySender(), ArrayReceiver()
     for k in range(5 * MOST):
         found = receiver.unpack(sent(sender.pack(np.full(1000, float(k)))))
         assert found.sum() == 1000.0 * k
