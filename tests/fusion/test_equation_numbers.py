@@ -6,7 +6,7 @@ from pathlib import Path
 ROOT = Path(__file__).parents[2]
 FUSION = ROOT / "tracker" / "fusion"
 BESIDE = ("kalman.py", "time/timeline.py", "output/output.py", "../online/rig_alignment.py")
-BESIDE += ("../vision/finger_cloth.py",)
+BESIDE += ("../vision/finger_cloth.py", "../vision/cloth_depth.py")
 
 
 def numbered_in_page() -> list[int]:

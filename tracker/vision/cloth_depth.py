@@ -89,7 +89,7 @@ def depth_evidence(
     likelihoods: Float32Stack, classes: ByteMatrix, known: Matrix, level: Matrix
 ) -> Float32Stack:
     """(LEVELS, n + 2, n + 2) ln of the likelihood ratio of a finger whose surface has one of the
-    disparities to none (eq. 70a); 0 in a border of one sample. ``likelihoods`` are `matches`,
+    disparities to none (eq. 71); 0 in a border of one sample. ``likelihoods`` are `matches`,
     ``classes`` (n, n) those of the left window, ``known`` (n, n) the probability that other parts
     cover a sample, and ``level`` (n, n) the number of the disparity of their surface."""
     side = len(classes)

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from tracker.base.callbacks import ignore
 from tracker.session.recording.process import RecorderProcesses
 
 SHARED = Path("/dev/shm")
@@ -33,7 +34,7 @@ def recorders() -> Iterator[Callable[..., RecorderProcesses]]:
     """``recorders(prepare)``; afterwards no process and no shared memory of them is left."""
     before, made = shared_names(), []
 
-    def make(prepare: Callable[[], None] | None = None) -> RecorderProcesses:
+    def make(prepare: Callable[[], object] = ignore) -> RecorderProcesses:
         made.append(RecorderProcesses(prepare))
         return made[-1]
 

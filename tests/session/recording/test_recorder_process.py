@@ -114,12 +114,13 @@ def test_an_idle_process_begins_at_once(tmp_path, recorders, session_info) -> No
 
 LOADED = """
 import multiprocessing, sys
+from tracker.base.callbacks import ignore
 from tracker.session.recording.child import serve
 
 here, there = multiprocessing.Pipe()
 here.close()
 assert "tracker.session.export.urdf" not in sys.modules
-serve(there, None)
+serve(there, ignore)
 assert "tracker.session.export.urdf" in sys.modules
 """
 

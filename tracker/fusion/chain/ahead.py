@@ -30,7 +30,7 @@ def ahead_variance(state: ChainState, layout: ChainLayout, noise: NoiseParams, t
 def velocity_variance(
     state: ChainState, layout: ChainLayout, noise: NoiseParams, tau: float, accel: Array
 ) -> float:
-    """m²/s² per axis of the root's velocity after ``tau`` s (eq. 77); accel (3,) m/s² is the last
+    """m²/s² per axis of the root's velocity after ``tau`` s (eq. 78); accel (3,) m/s² is the last
     reading of its IMU."""
     j, R_GB = int(layout.imu_of[0]), state.R_GB[0]
     R_IB, ba = (state.R_IB[j], state.ba[j]) if j >= 0 else (np.eye(3), np.zeros(3))

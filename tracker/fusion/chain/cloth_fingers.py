@@ -158,7 +158,7 @@ class ClothFingers:
         if not now.is_shown:
             self._shown.show_fingers(None)
             return
-        # eq. 73
+        # eq. 74
         seen = np.clip((now.evidence - HIDDEN_BELOW) / (SEEN_FROM - HIDDEN_BELOW), 0.0, 1.0)
         variance, fitted = now.joint_variance + BODY_SD**2, now.is_fitted
         hidden = (fitted * (1.0 - seen))[:, None] * (np.arange(JOINTS) > 0)

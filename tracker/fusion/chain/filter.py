@@ -220,7 +220,7 @@ class ChainFilter:
 
     def _judge_velocity(self, v: Array, variance: float, since: float) -> None:
         """Compares a correction of the velocity, which was v (3,) m/s with the ``variance`` (trace,
-        m²/s²) before an image ``since`` s after the last one, with its variance by P (eq. 76)."""
+        m²/s²) before an image ``since`` s after the last one, with its variance by P (eq. 77)."""
         state = self.state
         removed = variance - velocity_trace(state)
         if removed > RATIO_LEAST * variance:

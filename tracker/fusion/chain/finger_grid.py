@@ -176,7 +176,7 @@ def _moved(p: Vector, along: Matrix, across: Matrix, bent: Matrix) -> Vector:
 
 @kernel(wide=True)
 def aged(posterior: Vector, before: Vector, dt: float) -> Vector:
-    """(G,) the ``posterior`` of ``dt`` s ago, where ``before`` is the prior alone (eq. 71).
+    """(G,) the ``posterior`` of ``dt`` s ago, where ``before`` is the prior alone (eq. 72).
 
     The knuckle remains where it is; the finger moves, and after a while follows its neighbour.
     """
@@ -319,7 +319,7 @@ def _unless_refuted(
     neighbour: Vector, there: float, follows: Vector, likely: Matrix, attracted: Matrix
 ) -> Vector:
     """(5,) the posture of a hidden finger: its ``neighbour``'s (5,), where the ln of the likelihood
-    ratio is ``there``, displaced to where the image does not refute it (eq. 72); ``attracted`` is
+    ratio is ``there``, displaced to where the image does not refute it (eq. 73); ``attracted`` is
     exp of `likely`, limited.
 
     Without an outline, the cloth at a posture may be that of other parts, so it is weak evidence

@@ -66,7 +66,7 @@ class ChainState:
     length and girth; joint (B, 3) m in the root's B; marker (M, 3) m in each marker's B;
     axis (K,) values of `ChainLayout.fixed_axes`, whose joints are oblique in this wearer;
     P (N, N) in the order of `ChainLayout`, or (0, 0) where only a calibration is solved for;
-    velocity_ratio is the variance of the velocity relative to that of P (eq. 76).
+    velocity_ratio is the variance of the velocity relative to that of P (eq. 77).
     """
 
     t: float

@@ -1,7 +1,7 @@
 """Detects a glove that does not match its file: markers elsewhere, IMUs mounted differently.
 
 Each new posture gives information about the calibration (docs/chain.md, eq. 46), which is compared
-with the calibrations that are usual and with those of unusual gloves (eqs. 74, 75). It affects no
+with the calibrations that are usual and with those of unusual gloves (eqs. 75, 76). It affects no
 estimate, and it is not part of a saved state: after `ChainEngine.set_state` it starts again.
 """
 
@@ -86,7 +86,7 @@ class GloveEvidence:
         if known is not None:
             usual, b = known.P, b - self.N @ off_nominal(known, self._layout)
         A = np.linalg.inv(self.N + np.linalg.inv(usual))
-        F, s = self.N - self.N @ A @ self.N, b - self.N @ (A @ b)  # eq. 74
+        F, s = self.N - self.N @ A @ self.N, b - self.N @ (A @ b)  # eq. 75
         all_of_them = gain(F, s, self._markers.ravel(), self._wider())
         some = shift_gains(F, s, self._markers, self._together).max(initial=0.0)
         turned = np.eye(3) * np.sqrt(TURN**2 - self._prior.mounting**2)
@@ -156,7 +156,7 @@ def neighbours(segment: IntArray) -> Array:
 
 
 def gain(F: Array, s: Array, rows: IntArray, C: Array) -> float:
-    """ln B (eq. 75) of an additional covariance C Cᵀ of the parameters ``rows`` (k,); C (k, q)."""
+    """ln B (eq. 76) of an additional covariance C Cᵀ of the parameters ``rows`` (k,); C (k, q)."""
     M = np.eye(C.shape[1]) + C.T @ F[np.ix_(rows, rows)] @ C
     v = C.T @ s[rows]
     return float(0.5 * (v @ np.linalg.solve(M, v) - np.linalg.slogdet(M)[1]))

@@ -68,7 +68,7 @@ class MotionWindow:
         return bool(np.isfinite(self.start))
 
     def integrate(self, way: Intervals, imu: int) -> bool:
-        """Continues through the packets of one IMU; False where some are missing (eq. 78)."""
+        """Continues through the packets of one IMU; False where some are missing (eq. 79)."""
         if not way.valid[:, imu].all():
             return False
         dt = (way.stop - way.start)[:, None]

@@ -149,7 +149,7 @@ def place_in_image(state: ChainState, seen: Rows, dx: Array) -> Array | None:
 
 def information(window: MotionWindow, index: float) -> tuple[Array, Array, float]:
     """N (16, 16) and g (16,) of a window, whose start, velocity and constant acceleration are
-    eliminated (eq. 79), and its misfit; ``index``: the hand's size."""
+    eliminated (eq. 80), and its misfit; ``index``: the hand's size."""
     assert window.camera is not None
     R_CG = window.camera.R_GC.T
     t = window.times - window.times.mean()
