@@ -1,6 +1,7 @@
 """Folders and several files: sessions are processed independently, failures reported, one table."""
 
 import json
+import logging
 from collections.abc import Callable
 from concurrent.futures import Future
 from concurrent.futures.process import BrokenProcessPool
@@ -114,8 +115,11 @@ def test_a_worker_that_dies_is_reported() -> None:
     assert outcome.error is not None and outcome.error.code == "workers.ended"
 
 
-def test_a_cluster_gives_identical_results(folder: Path, tmp_path: Path) -> None:
+def test_a_cluster_gives_identical_results(
+    folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
     distributed = pytest.importorskip("distributed")
+    monkeypatch.setattr(logging.getLogger("distributed"), "propagate", True)
     jobs = plan([folder], tmp_path)
     shares: list[float] = []
     with distributed.LocalCluster(
@@ -125,6 +129,7 @@ def test_a_cluster_gives_identical_results(folder: Path, tmp_path: Path) -> None
         outcomes = track_all(jobs, TrackOptions(), shares.append, asked)
     assert [bool(o.error) for o in outcomes] == [False, True, False]
     assert shares[-1] == 1.0 and shares == sorted(shares)
+    assert not [r for r in caplog.records if r.name == "distributed.core" and r.exc_info]
     with SessionReader(jobs[0].out) as reader:
         assert len(list(reader.messages((Estimate,)))) > 150
 

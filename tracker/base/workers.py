@@ -7,7 +7,6 @@ the work that is done, and may be called as often as it likes.
 from __future__ import annotations
 
 import multiprocessing
-import queue
 import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
@@ -23,6 +22,7 @@ from tracker.base.numeric_threads import limit_this_process
 TELL_EVERY = 0.25  # s between two reports of one task
 LOOK_EVERY = 0.2  # s
 DASK_PATIENCE = 10  # s
+READ_WITHIN = 10.0  # s, for a note that is there
 
 
 @dataclass(frozen=True)
@@ -59,6 +59,8 @@ class Board(Protocol):
     """The progress queue: (number of the task, share done); travels to the workers."""
 
     def put(self, note: tuple[int, float]) -> None: ...
+
+    def qsize(self) -> int: ...
 
     def get(self, timeout: float) -> tuple[int, float]: ...
 
@@ -171,11 +173,8 @@ def run_all(
 
 def _notes(board: Board) -> Iterator[tuple[int, float]]:
     """Everything on the board."""
-    try:
-        while True:
-            yield board.get(timeout=0)
-    except (queue.Empty, TimeoutError):
-        return
+    while board.qsize():  # Dask's scheduler would log each attempt at an empty one as an error
+        yield board.get(timeout=READ_WITHIN)
 
 
 def _outcome(future: Future[Any]) -> TaskOutcome:
