@@ -11,7 +11,7 @@ from PySide6.QtCore import QEventLoop, QProcess, Qt
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QApplication, QLabel, QProgressBar, QPushButton, QVBoxLayout, QWidget
 
-from tracker.kernels import tools
+from tracker.kernels import parts, tools
 
 FOR_DEMO = "--for-demo"
 WIDTH_PX = 460
@@ -99,6 +99,7 @@ def compile_before_start(app: QApplication) -> None:
     app.processEvents()
     if done:
         subprocess.Popen(_nicely(tools.command()), stdout=subprocess.DEVNULL)
+        os.environ[parts.MODE] = "kept"  # once per start, even if a source has a time to come
         os.execv(sys.executable, [sys.executable, *sys.orig_argv[1:]])
 
 

@@ -52,8 +52,10 @@ def test_cancelling_stops_the_compiler(window, qtbot):
 def started(qapp, monkeypatch, tmp_path):
     """What `compile_before_start` starts, where the library is in ``tmp_path``."""
     processes = []
-    monkeypatch.setattr(compiling.os, "execv", lambda *_: processes.append("anew"))
-    monkeypatch.setattr(compiling.subprocess, "Popen", lambda *_a, **_k: processes.append("rest"))
+    monkeypatch.setattr(compiling.os, "execv", lambda *_: processes.append("this program"))
+    monkeypatch.setattr(
+        compiling.subprocess, "Popen", lambda *_a, **_k: processes.append("other parts")
+    )
     monkeypatch.setattr(tools, "command", lambda *_: words("compiled 1 of 1: all"))
     monkeypatch.setattr(tools, "are_here", lambda: True)
     monkeypatch.setattr(parts, "HERE", tmp_path)
@@ -63,7 +65,9 @@ def started(qapp, monkeypatch, tmp_path):
 
 def test_a_checkout_without_a_library_is_compiled(qapp, started):
     compile_before_start(qapp)
-    assert started == ["rest", "anew"]
+    assert started == ["other parts", "this program"]
+    compile_before_start(qapp)
+    assert len(started) == 2, "the restarted program does not compile again"
 
 
 def test_only_an_outdated_library_is_compiled_again(qapp, started, monkeypatch, tmp_path):
@@ -82,7 +86,7 @@ def test_only_an_outdated_library_is_compiled_again(qapp, started, monkeypatch, 
         source.write_text(f"from tracker.kernels import kernel\n\n{text}")
         os.utime(source, (t, t))
         compile_before_start(qapp)
-        assert started == (["rest", "anew"] if outdated else [])
+        assert started == (["other parts", "this program"] if outdated else [])
 
 
 def test_tests_use_the_library_as_it_is(qapp, started, monkeypatch):

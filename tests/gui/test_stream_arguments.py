@@ -44,7 +44,7 @@ def test_a_stream_of_the_command_line_sends_once_an_engine_runs(window, qtbot):
 def test_a_report_without_a_screen_sends_too_and_leaves_its_files(tmp_path):
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as listener:
         listener.bind(("127.0.0.1", 0))
-        words = ["--scene", "plain", "--headless-report", "2", "--out", str(tmp_path)]
+        words = ["--scene", "plain", "--headless-report", "5", "--out", str(tmp_path)]
         stream = ["--stream", f"udp:{listener.getsockname()[1]}"]
         done = subprocess.run(
             [sys.executable, "-m", "app", "--demo", *words, *stream],
