@@ -64,6 +64,9 @@ class NoWorkers:
     def submit(self, *_: object) -> Future[None]:
         return Future()
 
+    def qsize(self) -> int:
+        return 1
+
     def get(self, timeout: float) -> tuple[int, float]:
         raise KeyboardInterrupt
 
