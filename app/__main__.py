@@ -5,7 +5,11 @@ from __future__ import annotations
 import multiprocessing
 import sys
 
-from tracker.cli import main
+from tracker.base.numeric_threads import limit_this_process
+
+limit_this_process()  # before numpy is imported; processes that this one starts inherit it
+
+from tracker.cli import main  # noqa: E402
 
 __all__ = ["main"]
 

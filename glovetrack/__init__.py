@@ -19,9 +19,10 @@ Units are SI and radians; a name with another unit ends with it (``_deg``, ``_mm
 samples: N points are (N, 3). Positions are in the global frame G (z up). Quaternions are Hamilton,
 unit, x, y, z, w. Errors are `GlovetrackError`, whose text is for the user.
 
-`glovetrack.applications`, `glovetrack.cameras` and `glovetrack.commands` have what plug-ins need,
-`glovetrack.streams` the outputs and `glovetrack.engine` the synchronous engine. `tracker` and `app`
-are internal and change without notice.
+Each kind of plug-in has a module with what it needs: `glovetrack.applications`, `cameras`,
+`checks`, `commands`, `engine`, `formats`, `listeners`, `panels`, `remote`, `scenes`, `sheets` and
+`streams`; `glovetrack.notices` has what all report with. `tracker` and `app` are internal and
+change without notice.
 """
 
 from importlib import import_module
@@ -84,4 +85,4 @@ if not TYPE_CHECKING:
         return value
 
     def __dir__():
-        return sorted({*globals(), *__all__})
+        return sorted(__all__)

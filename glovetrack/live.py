@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+import weakref
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, replace
@@ -60,6 +61,9 @@ class Estimate:
     joint_names: tuple[str, ...]
     message: Message
 
+    def __repr__(self) -> str:
+        return f"<Estimate of the {self.side} hand, t = {self.t:.3f} s, {self.tracking}>"
+
     @property
     def keypoints(self) -> Mapping[str, Array]:
         """``p_G`` (3,) m by keypoint name."""
@@ -100,6 +104,15 @@ class LiveTracker:
         """``engine``: ``chain`` with a camera and ``inertial`` without by default; ``colours``: the
         name or path of a colour profile. Raises ConfigError and FileError."""
         self._devices = devices
+        self._end_devices = weakref.finalize(self, devices.end)
+        try:
+            self._set_up(engine, colours)
+        except BaseException:  # Ctrl+C too must not leave devices running
+            self._end_devices()
+            raise
+
+    def _set_up(self, engine: str, colours: str) -> None:
+        devices = self._devices
         profile = parse_profile(library.text("colours", colours or library.DEFAULT_COLOURS))
         engine = engine or ("chain" if devices.rig is not None else WITHOUT_CAMERA)
         settings = Settings(engine=engine)
@@ -110,6 +123,7 @@ class LiveTracker:
         self._queue: Backlog[Estimate] = Backlog(QUEUED)
         self._tracker = self._assembled(infos, profile, settings)
         self._open = ExitStack()
+        self._entered = False
 
     @classmethod
     def simulated(
@@ -142,13 +156,21 @@ class LiveTracker:
         return cls(devices, engine, colours)
 
     def __enter__(self) -> LiveTracker:
+        """Start the devices and the tracker. Raises RuntimeError if they were started before."""
+        if self._entered or not self._end_devices.alive:
+            raise RuntimeError("a LiveTracker can be entered once; create another one")
+        self._entered = True
         self._open.enter_context(one_numeric_thread())
-        self._open.callback(self._devices.end)
+        self._open.callback(self._end_devices)
         self._open.callback(self._tracker.stop)
         for side in self._names:
             self._tracker.hand(side).subscribe(partial(self._put, side))
-        self._devices.begin()
-        self._tracker.start()
+        try:
+            self._devices.begin()
+            self._tracker.start()
+        except BaseException:  # a `with` does not close what was not entered
+            self.close()
+            raise
         return self
 
     def __exit__(
@@ -163,6 +185,7 @@ class LiveTracker:
         """Stop tracking, finish a recording, free the devices. May be called again."""
         self._queue.close()
         self._open.close()
+        self._end_devices()
 
     def __iter__(self) -> Iterator[Estimate]:
         """Each estimate once, in order of time, until the tracker is closed."""

@@ -53,13 +53,17 @@ class Image:
     t: float
     rgb: NDArray[np.uint8]
 
+    def __repr__(self) -> str:
+        height, width = self.rgb.shape[:2]
+        return f"<Image {width} x {height}, t = {self.t:.3f} s>"
+
 
 class RecordedData(OnlyHand):
     """What a session file contains, or the part of it in ``window`` (s)."""
 
-    def __init__(self, path: Path, window: Window | None) -> None:
+    def __init__(self, path: Path, window: Window | None, zero_ns: int | None = None) -> None:
         self.path = path
-        self._file = SessionFile(path, window)
+        self._file = SessionFile(path, window, zero_ns)
 
     @property
     def sides(self) -> tuple[str, ...]:

@@ -26,19 +26,25 @@ if TYPE_CHECKING:
 class Recording(RecordedData):
     """A session file. `glovetrack.open` makes one; it may be used as a context manager.
 
-    Times are in s since the recording began, the same for both hands, sensors and images.
+    Times are in s since the recording began, the same for both hands, sensors and images. An image
+    or a packet that was taken before and arrived later has a negative time.
     ``recording[2.0:5.0]`` is the part from 2 s to 5 s. Data are read from the file on
     first use and then cached.
     """
 
     def __init__(
-        self, path: Path, window: Window | None = None, folder: Path | None = None
+        self,
+        path: Path,
+        window: Window | None = None,
+        folder: Path | None = None,
+        zero_ns: int | None = None,
     ) -> None:
         """``window``: only from one instant to the other (s). ``folder``: deleted with this object.
+        ``zero_ns``: the instant of ``t = 0`` (ns since 1970), by default the file's beginning.
 
         Raises FileError where the file is not a session.
         """
-        super().__init__(Path(path), window)
+        super().__init__(Path(path), window, zero_ns)
         self._end = weakref.finalize(self, _release, self._file, folder)
 
     # ---- what it is about
@@ -93,7 +99,8 @@ class Recording(RecordedData):
     def between(self, start: float, stop: float) -> Recording:
         """The part with ``start <= t < stop`` (s). Its times count from the same beginning."""
         old_start, old_stop = self._file.window or (-np.inf, np.inf)
-        return Recording(self.path, (max(start, old_start), min(stop, old_stop)))
+        window = max(start, old_start), min(stop, old_stop)
+        return Recording(self.path, window, zero_ns=self._file.zero_ns)
 
     # ---- tracking and export
 
@@ -109,6 +116,7 @@ class Recording(RecordedData):
     ) -> Recording:
         """Tracks the sensor data again; returns the new recording, with sensors and estimates.
 
+        Its times count from the same beginning, also those of a part.
         ``engine``: instead of the recording's; ``wearer``: path of a wearer's profile; ``out``: the
         new file, else one that is deleted with the returned object; ``options``: all options of
         ``glovetrack track``, instead of the other arguments. Raises GlovetrackError.
@@ -121,7 +129,7 @@ class Recording(RecordedData):
         with _target(out, f"{self.path.stem}_tracked.mcap") as (target, folder):
             with one_numeric_thread(), self._file.as_file(to_track=True) as source:
                 track(source, target, asked, force=force)
-            return Recording(target, folder=folder)
+            return Recording(target, folder=folder, zero_ns=self._file.zero_ns)
 
     def export(
         self,

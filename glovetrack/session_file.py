@@ -25,10 +25,16 @@ LATE = 1.0  # s that an image may arrive after it was exposed
 class SessionFile:
     """An open session. Its times are s since the recording began; ``window``: only a part."""
 
-    def __init__(self, path: Path, window: Window | None = None) -> None:
-        """Raises FileError where the file is not a session."""
+    def __init__(
+        self, path: Path, window: Window | None = None, zero_ns: int | None = None
+    ) -> None:
+        """``zero_ns``: the instant of ``t = 0`` (ns since 1970), by default the file's beginning.
+
+        Raises FileError where the file is not a session.
+        """
         self.path, self.window = path, window
         self.reader = SessionReader(path)
+        self.zero_ns: int = self.reader.span_ns[0] if zero_ns is None else zero_ns
         self._of_side: dict[str, SessionReader] = {}
 
     def close(self) -> None:
@@ -65,10 +71,10 @@ class SessionFile:
 
     # ---- time
 
-    @cached_property
-    def zero_ns(self) -> int:
-        """The beginning of the recording, ns since 1970."""
-        return self.reader.span_ns[0]
+    @property
+    def start(self) -> float:
+        """Where the file begins (s): 0 except for a part that was tracked again."""
+        return (self.reader.span_ns[0] - self.zero_ns) / NS
 
     @property
     def duration(self) -> float:
@@ -76,7 +82,7 @@ class SessionFile:
         if self.window is None:
             return self.reader.duration
         start, stop = self.window
-        return max(min(stop, self.reader.duration) - max(start, 0.0), 0.0)
+        return max(min(stop, self.start + self.reader.duration) - max(start, self.start), 0.0)
 
     def seconds(self, t: float) -> float:
         """s since the beginning of ``t``, s of the monotonic clock."""
@@ -120,10 +126,10 @@ class SessionFile:
         from tracker.offline.crop import crop  # deferred: loads SciPy
 
         start, stop = self.window
-        end = stop if np.isfinite(stop) else None
+        end = stop - self.start if np.isfinite(stop) else None
         with temporary_folder() as folder:
             part = folder / self.path.name
-            crop(self.path, part, max(start, 0.0), end, with_state=to_track)
+            crop(self.path, part, max(start - self.start, 0.0), end, with_state=to_track)
             yield part
 
 

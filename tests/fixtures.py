@@ -12,7 +12,7 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 os.environ.setdefault("GLOVETRACK_KERNELS", "kept")  # windows that tests open compile nothing
 
-import app  # noqa: F401, I001  (before numpy: it limits BLAS to one thread, as in workers)
+import app.__main__  # noqa: F401, I001  (before numpy: it limits BLAS to one thread, as in workers)
 
 from tests import crash_traces
 from tests import kernel_twins  # before the kernels

@@ -12091,13 +12091,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>Two hands are tracked. Specify the side.</source>
-      <translation>Zwei Hände werden getrackt. Geben Sie die Seite an.</translation>
+      <source>Two hands are tracked. Specify side="left" or side="right".</source>
+      <translation>Zwei Hände werden verfolgt. Geben Sie side="left" oder side="right" an.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>{file} is a recording of both hands. Specify the side.</source>
-      <translation>{file} ist eine Aufnahme beider Hände. Geben Sie die Seite an.</translation>
+      <source>{file} is a recording of both hands. Choose hands["left"] or hands["right"]; for an IMU, side="left" or side="right".</source>
+      <translation>{file} ist eine Aufnahme beider Hände. Wählen Sie hands["left"] oder hands["right"], für eine IMU side="left" oder side="right".</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />

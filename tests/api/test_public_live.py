@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import gc
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import glovetrack
+from glovetrack.devices import ConnectedGlove, Devices, glove_link
 from tests.notices import raises
+from tracker.glove import library
+from tracker.sensors.sources import NoCamera
 
 pytestmark = pytest.mark.timeout(600)
 ENOUGH = 60  # estimates
@@ -53,6 +57,26 @@ def test_both_hands_without_a_camera_come_in_one_stream() -> None:
             live.latest()
         assert live.latest("left") is not None
     live.close()  # again
+    with pytest.raises(RuntimeError, match="once"):
+        live.__enter__()
+
+
+def test_devices_end_with_a_tracker_that_was_not_started() -> None:
+    """Whether its set-up fails or it is dropped."""
+    ended: list[str] = []
+
+    def devices(name: str) -> Devices:
+        texts = library.texts(library.DEFAULT_GLOVE)
+        glove = ConnectedGlove(*texts, glove_link(texts, "none"))
+        return Devices((glove,), NoCamera(), None, end=lambda: ended.append(name))
+
+    with raises(glovetrack.ConfigError, "part.unknown"):
+        glovetrack.LiveTracker(devices("unknown engine"), engine="none")
+    assert ended == ["unknown engine"]
+    dropped = glovetrack.LiveTracker(devices("dropped"))
+    del dropped
+    gc.collect()
+    assert ended == ["unknown engine", "dropped"]
 
 
 def test_missing_devices_are_reported(tmp_path: Path) -> None:

@@ -133,6 +133,11 @@ def test_a_slice_is_tracked_as_the_whole(live: glovetrack.Recording) -> None:
     common, rows, _ = np.intersect1d(live.t_unix_ns, part.t_unix_ns, return_indices=True)
     assert len(common) > 20  # a loaded computer estimates the last seconds later
     np.testing.assert_array_equal(live.keypoints.array[rows], part.keypoints.array)
+    np.testing.assert_array_equal(live.t[rows], part.t)
+    later = part[1.5:]
+    np.testing.assert_array_equal(later.t, part.t[part.t >= 1.5])
+    assert later.duration == pytest.approx(part.t[-1] - 1.5, abs=0.3)
+    assert "x" in repr(next(live.images())) and len(repr(next(live.images()))) < 60
 
 
 def test_another_engine(live: glovetrack.Recording, tmp_path: Path) -> None:

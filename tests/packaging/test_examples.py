@@ -374,6 +374,69 @@ window.close()
     assert found[-3:] == ["Pinch No hand yet", "False", "True"]
 
 
+def test_a_check_a_sheet_and_a_scene_are_found(site: Path) -> None:
+    code = """
+import json
+from glovetrack.app.__main__ import main
+main(["doctor", "--json", "doctor.json", "--force"])
+print([f["what"] for f in json.load(open("doctor.json"))["findings"] if f["check"] == "memory"])
+assert main(["print", "labels", "-o", "labels.pdf", "--force"]) == 0
+simulate = ["simulate", "--duration", "1", "--fps", "5", "--force", "-o"]
+assert main([*simulate, "plain.mcap"]) == main([*simulate, "ball.mcap", "--scene", "ball"]) == 0
+import glovetrack
+import numpy as np
+ball, plain = (next(glovetrack.open(name).images()).rgb for name in ("ball.mcap", "plain.mcap"))
+print(int(np.sum(np.any(np.abs(ball.astype(int) - plain) > 12, axis=2))))
+"""
+    text = run(site, code)
+    assert re.search(r"\['\d+ MB of memory are free\.'\]", text)
+    assert (site.parent / "labels.pdf").read_bytes().startswith(b"%PDF")
+    assert 500 < int(text.splitlines()[-1]) < 200_000, "pixels that the ball covers"
+
+
+def test_a_listener_and_a_protocol_of_remote_control_are_found(site: Path) -> None:
+    code = """
+import socket
+from concurrent.futures import Future
+from types import SimpleNamespace
+import numpy as np
+from glovetrack.engine import load
+from glovetrack.listeners import ListenedHand
+from glovetrack.remote import Reply
+from glovetrack.tracker.live.listeners import LISTENERS
+from glovetrack.tracker.streaming.remote.registry import DOORS, open_door
+
+notes, points = [], np.zeros((22, 3))
+live = SimpleNamespace(record=notes.append)
+listener = LISTENERS.get("raised").make(ListenedHand(*load("vist-small"), live))
+for k, height in enumerate((0.1, 0.3, 0.22, 0.3, float("nan"), 0.1, 0.3)):
+    points[:, 2] = height
+    listener.feed(SimpleNamespace(t=float(k), keypoints=points.copy()), 0.0)
+print([(note.t, note.text) for note in notes])
+
+asked = []
+def answer(request):
+    asked.append((request.do, request.text))
+    done = Future()
+    done.set_result(Reply(request.do != "stop", request.do, "text"))
+    return done
+kind = DOORS.get("button")
+door = open_door(kind, kind.options(port=0), answer)
+with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
+    client.settimeout(10.0)
+    replies = []
+    for sent in (b"1", b"a", b"0", b"xx"):
+        client.sendto(sent, ("127.0.0.1", door.port))
+        replies.append(client.recv(16))
+door.close()
+print(asked, replies)
+"""
+    notes, requests = run(site, code).splitlines()[-2:]
+    assert notes == "[(1.0, 'hand raised'), (6.0, 'hand raised')]"
+    asked = "[('start', ''), ('note', 'button a'), ('stop', '')]"
+    assert requests == f"{asked} [b'+', b'+', b'-', b'-']"
+
+
 def test_an_export_format_is_found_and_written(site: Path) -> None:
     """From Python and from the command line, next to the program's own formats."""
     code = """

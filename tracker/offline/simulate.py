@@ -52,8 +52,9 @@ def build(options: SimulateOptions) -> tuple[Simulation, SessionInfo]:
     """
     _check_numbers(options)
     if options.hands not in GLOVES:
+        known = (*GLOVES, "both")
         raise ConfigError(
-            notice("option.choice", option="--hands", known=tuple(GLOVES), value=options.hands)
+            notice("option.choice", option="--hands", known=known, value=options.hands)
         )
     glove = options.glove or GLOVES[options.hands]
     info = _info(options, library.texts(glove, options.hand or None))

@@ -122,8 +122,11 @@ TEXTS = {
         "The camera requires a calibration. Pass the path of its calibration file, which the "
         "window creates under Set-up, Camera calibration."
     ),
-    "api.two_hands": "Two hands are tracked. Specify the side.",
-    "api.both_recorded": "{file} is a recording of both hands. Specify the side.",
+    "api.two_hands": 'Two hands are tracked. Specify side="left" or side="right".',
+    "api.both_recorded": (
+        '{file} is a recording of both hands. Choose hands["left"] or hands["right"]; for an IMU, '
+        'side="left" or side="right".'
+    ),
     "api.other_side": "{file} is a recording of the {side:word} hand.",
     "session.damaged_at": (
         "{path} is damaged at byte {offset}. Save what can be read with glovetrack recover."
