@@ -23,16 +23,15 @@ from tracker.session.recover import needs_recovery
 from tracker.streaming.remote.client import ask
 
 ROOT = Path(__file__).parents[1]
-WATCHED, RECORDED = 2.0, 3.0  # s before a recording begins, and of it
+WATCHED, RECORDED = 1.0, 3.0  # s before a recording begins, and of it
 START_TIMEOUT, STEP_TIMEOUT = 240.0, 60.0  # s on a busy computer
 ATTEMPT = 2.0  # s for an answer while the window starts
 
 KINDS: dict[str, tuple[str, ...]] = {
     "one hand": ("--scene", "plain"),
     "both hands": ("--scene", "plain", "--hands", "both"),
-    "one camera": ("--scene", "plain", "--lenses", "one"),
+    "one camera over a desk": ("--scene", "desk", "--lenses", "one"),
     "no camera": ("--lenses", "none"),
-    "desk": ("--scene", "desk"),
 }
 """What each is a recording of, and the demo's options for it."""
 
@@ -68,7 +67,7 @@ def record_demo(home: Path, options: tuple[str, ...], watched: float = WATCHED) 
     are below ``home``."""
     home.mkdir(parents=True)
     port, log = _free_port(), home / "window.log"
-    words = ["--demo", "--fps", "20", "--remote", f"udp:{port}", *options]
+    words = ["--demo", "--fps", "15", "--remote", f"udp:{port}", *options]
     with log.open("wb") as output:
         window = subprocess.Popen(
             [sys.executable, "-m", "app", *words],

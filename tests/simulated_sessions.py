@@ -13,7 +13,7 @@ from tracker.offline.track import track
 
 SHORT = SimulateOptions(seed=3, duration=3.0, fps=30, images=False)
 """One hand, as most tests need it."""
-BOTH = SimulateOptions(hands="both", seed=3, duration=3.0, fps=30.0, images=False)
+BOTH = SimulateOptions(hands="both", seed=3, duration=2.0, fps=30.0, images=False)
 
 
 class SimulatedSessions:

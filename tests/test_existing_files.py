@@ -9,8 +9,6 @@ import argparse
 import importlib
 import json
 import os
-import subprocess
-import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import NamedTuple
@@ -21,7 +19,6 @@ import tracker.cli
 from app.window import remote_command
 from app.window.report_files import check_report, report_paths
 from extensions.movement.tests.arm import BODY
-from tests.gui.environments import without_screen
 from tests.made_once import made_once
 from tests.notices import raises
 from tracker.base.errors import FileError
@@ -389,12 +386,13 @@ def test_a_simulated_rig_replaces_only_its_own_files(
     run(*words)
 
 
-@pytest.mark.timeout(300)
-def test_a_headless_report_replaces_nothing_without_force(tmp_path: Path) -> None:
+def test_a_headless_report_replaces_nothing_without_force(
+    tmp_path: Path, qapp: object, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With --force: tests/gui/test_stream_arguments.py, in a process of its own."""
+    monkeypatch.setattr("app.window.start.tune_process", lambda: None)
     words = ["--demo", "--lenses", "none", "--headless-report", "1", "--out", str(tmp_path)]
-    others = {Path("notes.txt"): OWN, Path("window.json"): OWN}
-    for name in others:
-        (tmp_path / name).write_bytes(OWN)
+    (tmp_path / "notes.txt").write_bytes(OWN)
     for path in report_paths(tmp_path):
         path.write_bytes(OWN)
         with raises(FileError, "file.exists_force"):
@@ -402,22 +400,8 @@ def test_a_headless_report_replaces_nothing_without_force(tmp_path: Path) -> Non
         path.unlink()
     report_paths(tmp_path)[-1].write_bytes(OWN)
     before = files_in(tmp_path)
-    assert _window(words) == 1
+    run(*words, allowed=(1,))
     assert files_in(tmp_path) == before
-    for path in report_paths(tmp_path):
-        path.write_bytes(OWN)
-    assert _window([*words, "--force"]) == 0
-    found = files_in(tmp_path)
-    assert {p: found.pop(p) for p in others} == others
-    assert OWN not in found.values()
-    assert {Path("session.mcap"), Path("session.csv"), Path("window.png")} <= set(found)
-
-
-def _window(words: list[str]) -> int:
-    done = subprocess.run(
-        [sys.executable, "-m", "app", *words], cwd=ROOT, env=without_screen(), capture_output=True
-    )
-    return done.returncode
 
 
 def test_an_empty_file_may_be_written_to(sessions: Sessions, tmp_path: Path) -> None:

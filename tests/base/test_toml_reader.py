@@ -39,7 +39,7 @@ def test_any_text_of_the_largest_size_takes_linear_time(begin: str, part: str) -
 
 def test_the_limits_reject_no_valid_text() -> None:
     rng, valid = random.Random(1), 0
-    for _ in range(60_000):
+    for _ in range(15_000):
         text = "a = " + "".join(rng.choices(PIECES, k=rng.randint(1, 10)))
         try:
             wanted = tomllib.loads(text)
@@ -49,7 +49,7 @@ def test_the_limits_reject_no_valid_text() -> None:
             continue
         valid += 1
         assert parse_toml(text, "a.toml") == wanted, text
-    assert valid > 1000
+    assert valid > 250
 
 
 def test_an_unterminated_text_is_reported_by_its_line() -> None:

@@ -58,7 +58,7 @@ def swung(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A hand swung at 1 m/s, recorded by a camera that reads 720 rows in 18 ms, whose calibration
     takes it for a global shutter."""
     rig, (hand, glove) = with_readout(ideal_rig(), 0.018), library.load()
-    own = RandomPostures(hand, 3, 3.0, 8.0, camera=rig.pose)
+    own = RandomPostures(hand, 3, 3.0, 6.0, camera=rig.pose)
     sim = Simulation(hand, glove, Swinging(own, 1.0, rig.pose), 3, fps=30.0, rig=rig)
     path = tmp_path_factory.mktemp("line_time") / "swung.mcap"
     _, info = build(SimulateOptions(seed=3, images=False))

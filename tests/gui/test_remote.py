@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import socket
 import subprocess
 import sys
@@ -11,6 +10,7 @@ import threading
 import time
 import uuid
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from PySide6.QtCore import QTimer
@@ -319,40 +319,43 @@ sys.exit(main(["devices"]))
 
 
 @pytest.mark.timeout(180)
-def test_the_command_controls_the_window_of_another_process(tmp_path):
+def test_the_command_controls_the_window_of_another_process(tmp_path, monkeypatch, capsys):
     """Start, note, stop as a lab's script does; the window is a process of its own."""
-    env = {
-        **os.environ,
-        "QT_QPA_PLATFORM": "offscreen",
+    for name, value in {
         "PYTHONPATH": str(ROOT),
         "HOME": str(tmp_path),
         **{f"XDG_{k}_HOME": str(tmp_path / k) for k in ("CONFIG", "STATE", "DATA", "CACHE")},
-    }
+    }.items():
+        monkeypatch.setenv(name, value)
 
-    def remote(*words: str) -> subprocess.CompletedProcess[str]:
-        command = [sys.executable, "-m", "app", "remote", *words]
-        return subprocess.run(command, env=env, capture_output=True, text=True, check=False)
+    def remote(*words: str) -> SimpleNamespace:
+        """In this process: the last one below starts the program."""
+        capsys.readouterr()
+        status = main(["remote", *words])
+        return SimpleNamespace(returncode=status, **capsys.readouterr()._asdict())
 
     alone = remote("start")
-    assert alone.returncode == 1 and shows(alone.stderr, "window.none")
+    assert alone.returncode == 1 and shows(alone.err, "window.none")
     script = FIRST.format(tests=str(ROOT / "tests" / "gui"))
-    with subprocess.Popen([sys.executable, "-c", script], env=env) as first:
+    with subprocess.Popen([sys.executable, "-c", script]) as first:
         try:
             deadline = time.monotonic() + 60
             while not (
                 (status := remote("status", "--json", "-")).returncode == 0
-                and json.loads(status.stdout)["running"]
+                and json.loads(status.out)["running"]
             ):
                 assert first.poll() is None and time.monotonic() < deadline
+                time.sleep(0.1)
             started = remote("start")
-            assert started.returncode == 0 and "Recording " in started.stdout
-            path = Path(started.stdout.splitlines()[-1])
+            assert started.returncode == 0 and "Recording " in started.out
+            path = Path(started.out.splitlines()[-1])
             assert path.exists()
-            assert shows(remote("start").stderr, "remote.recording_already")
-            assert "Noted in" in remote("note", "the cup is taken").stdout
-            stopped = json.loads(remote("stop", "--json", "-").stdout)
+            assert shows(remote("start").err, "remote.recording_already")
+            assert "Noted in" in remote("note", "the cup is taken").out
+            stopped = json.loads(remote("stop", "--json", "-").out)
             assert stopped["ok"] and stopped["file"] == str(path)
-            assert remote("stop").returncode == 1
+            last = subprocess.run([sys.executable, "-m", "app", "remote", "stop"], cwd=ROOT)
+            assert last.returncode == 1
         finally:
             first.terminate()
             first.wait(60)

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from app.__main__ import main
+from app.window.report_files import report_paths
 from tests.gui.environments import without_screen
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 from tests.notices import shows
@@ -40,49 +41,55 @@ def test_a_stream_of_the_command_line_sends_once_an_engine_runs(window, qtbot):
         assert window.panels["streams"].boxes["udp"].isChecked()
 
 
-@pytest.mark.timeout(180)
-def test_a_report_without_a_screen_sends_too_and_leaves_its_files(tmp_path):
+@pytest.mark.timeout(240)
+def test_a_report_without_a_screen_sends_and_answers_and_leaves_its_files(tmp_path):
+    """It replaces those of an earlier report, with --force, and no others."""
+    own = b"the user's own\n"
+    others = [tmp_path / name for name in ("notes.txt", "window.json")]
+    for path in (*others, *report_paths(tmp_path)):
+        path.write_bytes(own)
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as listener:
         listener.bind(("127.0.0.1", 0))
-        words = ["--scene", "plain", "--headless-report", "5", "--out", str(tmp_path)]
-        stream = ["--stream", f"udp:{listener.getsockname()[1]}"]
-        done = subprocess.run(
-            [sys.executable, "-m", "app", "--demo", *words, *stream],
+        words = ["--scene", "plain", "--fps", "15", "--headless-report", "3"]
+        words += ["--out", str(tmp_path), "--force"]
+        words += [
+            "--stream",
+            f"udp:{listener.getsockname()[1]}",
+            "--remote",
+            f"udp:{(port := free_port())}",
+        ]
+        running = subprocess.Popen(
+            [sys.executable, "-m", "app", "--demo", *words],
             cwd=ROOT,
             env=without_screen(),
-            capture_output=True,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
             text=True,
         )
+        try:
+            answer = ""
+            while not is_reply(answer) and running.poll() is None:  # a free port may answer itself
+                with contextlib.suppress(GlovetrackError):
+                    answer = ask({"do": "status"}, "127.0.0.1", port, 2.0)
+            printed, errors = running.communicate()
+        finally:
+            running.kill()
+        assert is_reply(answer) and json.loads(answer)["ok"] is True
         listener.settimeout(1.0)
         assert "keypoints" in json.loads(listener.recv(65536))
-    assert done.returncode == 0, done.stderr
-    assert {"session.mcap", "session.csv"} <= {p.name for p in tmp_path.iterdir()}
-    assert "tracking " in done.stdout
-    assert shows(done.stderr, "tracking.tracked")
+    assert running.returncode == 0, errors
+    made = {path: path.read_bytes() for path in tmp_path.iterdir()}
+    assert [made.pop(path) for path in others] == [own, own]
+    assert {"session.mcap", "session.csv", "window.png"} <= {path.name for path in made}
+    assert own not in made.values()
+    assert "tracking " in printed
+    assert shows(errors, "tracking.tracked")
 
 
-@pytest.mark.timeout(240)
-def test_a_report_without_a_screen_answers_by_remote_control(tmp_path):
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as free:
-        free.bind(("127.0.0.1", 0))
-        port = free.getsockname()[1]
-    words = ["--headless-report", "20", "--out", str(tmp_path), "--lenses", "none"]
-    running = subprocess.Popen(
-        [sys.executable, "-m", "app", "--demo", *words, "--remote", f"udp:{port}"],
-        cwd=ROOT,
-        env=without_screen(),
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-    )
-    try:
-        answer = ""
-        while not is_reply(answer) and running.poll() is None:  # a free port may answer itself
-            with contextlib.suppress(GlovetrackError):
-                answer = ask({"do": "status"}, "127.0.0.1", port, 2.0)
-        assert is_reply(answer) and json.loads(answer)["ok"] is True
-    finally:
-        running.terminate()
-        running.wait(60)
+def free_port() -> int:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asking:
+        asking.bind(("127.0.0.1", 0))
+        return asking.getsockname()[1]
 
 
 @pytest.mark.parametrize(

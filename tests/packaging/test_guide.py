@@ -248,7 +248,8 @@ def test_the_commands_that_open_a_window_or_talk_to_it(
     assert build_parser(["demo"]).parse_args(["demo", "--hands", "both"]).hands == "both"
     shutil.copy(sessions.tracked, own_home / "session.mcap")
     program = [sys.executable, "-m", "app"]
-    with subprocess.Popen([*program, "demo"], cwd=own_home) as window:
+    plain = ["--scene", "plain", "--fps", "10"]  # its usual images: packaging/smoke.sh
+    with subprocess.Popen([*program, "demo", *plain], cwd=own_home) as window:
         try:
             _wait(lambda: run("glovetrack remote status") == 0, window)
             _wait(lambda: _runs(capsys), window)

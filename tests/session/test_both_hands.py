@@ -81,7 +81,7 @@ def test_isaacs_record_and_the_verdict_have_both_hands(tracked: Path, tmp_path: 
         records[side].append(record.stamps.sample)
     takes, _ = read_take(tracked)
     assert {take.side: take.sample.tolist() for take in takes} == records
-    assert all(len(stamps) > 200 for stamps in records.values())
+    assert all(len(stamps) > 150 for stamps in records.values())
     order = [r.stamps.available for _, r in read_records(out)]
     assert order == sorted(order)
 

@@ -36,7 +36,7 @@ from tracker.session.state_check import require_match
 from tracker.simulation.scenario import Simulation
 from tracker.vision.rig import StereoRig
 
-DURATION, FPS = 3.0, 20.0
+DURATION, FPS = 2.0, 20.0
 GOES_ON = 60  # messages after the cut
 SEEN_AS = 0.009  # m: radius of the cloth that is drawn around each keypoint
 EARLY = BundleParams(first_after=0.8, least_keyframes=4, least_blobs=6, apart=0.05, keyframes=4)

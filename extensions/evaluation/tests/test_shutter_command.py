@@ -19,7 +19,7 @@ from extensions.evaluation.shutter.command import (
 )
 from tracker.cli import main
 
-FAST = ShutterCase(2.0, 0.0, 0.018, fps=60.0, seconds=6.0)
+FAST = ShutterCase(2.0, 0.0, 0.018, fps=30.0, seconds=4.0)
 
 
 def test_the_rows_are_means_of_people_in_the_order_of_the_trials() -> None:
@@ -49,7 +49,7 @@ def test_a_known_line_time_removes_most_of_the_error_of_a_fast_hand() -> None:
 @pytest.mark.usefixtures("workers_here")
 def test_a_short_run_of_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = tmp_path / "rows.json"
-    words = ["--participants", "1", "--seconds", "5", "--fps", "30", "--speeds", "1"]
+    words = ["--participants", "1", "--seconds", "5", "--fps", "15", "--speeds", "1"]
     main(["evaluate", "shutter", *words, "--json", str(out)])
     rows = json.loads(out.read_text())["rows"]
     assert [(r["speed"], r["turning_deg"]) for r in rows] == [(1.0, 0.0), (1.0, 200.0)]

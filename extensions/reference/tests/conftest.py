@@ -31,7 +31,7 @@ START = 0.5  # s of the simulation at the session's first estimate
 class Wearer:
     """``points(t)``: keypoints (n, K, 3) m and axes of their segments (n, K, 3, 3) at session times
     t (n,) s from -1 on; ``session(path, noise, duration, seed, person, …)`` writes a session
-    of them at 100 Hz, with noise (sd in m, as claimed) per coordinate."""
+    of them at ``rate`` Hz, with noise (sd in m, as claimed) per coordinate."""
 
     info: SessionInfo
     points: Callable[[Array], tuple[Array, Array]]
@@ -66,10 +66,11 @@ def wearer() -> Wearer:
         person: str = "",
         events: Sequence[Event] = (),
         inferred: Sequence[str] = (),
+        rate: float = 100.0,
     ) -> Path:
         of = replace(info, participant=person)
         rng = np.random.default_rng(seed)
-        t = np.arange(0, duration, 0.01)
+        t = np.arange(0, duration, 1.0 / rate)
         x, R_GB = points(t)
         x = x + rng.normal(0, 1, x.shape) * noise
         q = so3.quat_from_matrix(R_GB)
@@ -98,10 +99,10 @@ def tracked(wearer: Wearer, shared_folder: Path) -> Path:
 
 @pytest.fixture(scope="session")
 def short(wearer: Wearer, shared_folder: Path) -> Path:
-    """Likewise, 20 s."""
+    """Likewise, 20 s at 50 Hz."""
     made = made_once(
         shared_folder / "reference-20s",
-        lambda to: wearer.session(to / "short.mcap", 0.001, duration=20.0),
+        lambda to: wearer.session(to / "short.mcap", 0.001, duration=20.0, rate=50.0),
     )
     return made / "short.mcap"
 

@@ -8,7 +8,7 @@ import pytest
 
 from extensions.study.folder import Study, open_study, start_study
 from extensions.study.headless import run_headless
-from extensions.study.tests.studies import write_protocol
+from extensions.study.tests.studies import QUICK, write_protocol
 from tests.gui.conftest import no_leaks, qtbot, store, window
 from tests.made_once import made_once
 
@@ -20,7 +20,7 @@ def short_study(shared_folder: Path) -> Study:
     """All trials are done; made once for all processes of a run."""
 
     def make(folder: Path) -> None:
-        study = start_study(write_protocol(folder), folder / "short")
+        study = start_study(write_protocol(folder, QUICK), folder / "short")
         for participant in study.protocol.participants:
             run_headless(study.progress(participant))
 

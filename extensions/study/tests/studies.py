@@ -38,6 +38,16 @@ duration = 0.0
 longest = 8.0
 """
 
+QUICK = (
+    SHORT.replace("countdown = 1.5", "countdown = 0.5")
+    .replace(
+        "\nduration = 6.0\npractice_duration = 2.0", "\nduration = 5.0\npractice_duration = 1.0"
+    )
+    .replace("cue_every = 2.0", "cue_every = 1.7")
+    .replace("longest = 8.0", "longest = 5.0")
+)
+"""The same with times as short as the evaluation allows, for studies whose trials are simulated."""
+
 
 def write_protocol(folder: Path, text: str = SHORT) -> Path:
     """A protocol file in ``folder``."""

@@ -25,8 +25,8 @@ def test_every_command_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
     assert len(parse_protocol(protocol).participants) == 10
     shorter = re.sub(r"trials = 2 ", "trials = 1 ", protocol).replace("trials = 2\n", "")
     for long, short in (
-        *(("duration = 30.0", "duration = 4.0"), ("longest = 60.0", "longest = 4.0")),
-        *(("practice = 1 ", "practice = 0 "), ("countdown = 3.0", "countdown = 1.0")),
+        *(("duration = 30.0", "duration = 2.5"), ("longest = 60.0", "longest = 4.0")),
+        *(("practice = 1 ", "practice = 0 "), ("countdown = 3.0", "countdown = 0.5")),
         ("tracked = 0.9", "tracked = 0.1"),
     ):
         assert long in shorter

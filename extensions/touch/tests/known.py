@@ -12,7 +12,7 @@ from extensions.touch.simulated.trial import SimulatedTrial
 from tracker.messages import Array, Estimate
 from tracker.offline.simulate import truth_message
 
-RATE = 25.0  # estimates a second
+RATE = 12.5  # estimates a second: errors are those of touches, which last a second
 
 
 class KnownTracker:
