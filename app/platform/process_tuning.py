@@ -5,6 +5,8 @@ from __future__ import annotations
 import ctypes
 import gc
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 ARENA_MAX = -8  # of glibc's mallopt
 ARENAS = 2
@@ -34,14 +36,34 @@ def keep_few_arenas() -> None:
             mallopt(ARENA_MAX, ARENAS)
 
 
+@contextmanager
+def collection_postponed() -> Iterator[None]:
+    """Collect no garbage within a ``with`` until `freeze_permanent_objects`.
+
+    Most objects that a start makes are permanent. Traversing them again and again takes a tenth of
+    the time of importing the window.
+    """
+    gc.disable()
+    try:
+        yield
+    finally:
+        gc.enable()
+
+
 def freeze_permanent_objects() -> None:
     """Collect garbage now, and exclude the remaining objects from later collections.
 
     The window and its libraries are about 400 000 permanent objects; traversing them blocks all
     threads for 60 to 150 ms, several times a minute. A repeated call includes the objects that were
-    excluded before, so that none of them leaks. The call itself takes such a pause: call it when a
-    pause is not noticeable.
+    excluded before, so that none of them leaks. The call itself takes such a pause: call it while
+    nothing is tracked.
     """
     gc.unfreeze()
+    freeze_new_objects()
+    gc.enable()
+
+
+def freeze_new_objects() -> None:
+    """As `freeze_permanent_objects`, for the objects since its last call alone: a short pause."""
     gc.collect()
     gc.freeze()

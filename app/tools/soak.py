@@ -38,7 +38,7 @@ from app.engines.apart.process import EngineProcess
 from app.engines.apart.setup import apart_factory
 from app.engines.demo_camera import HANDS, LENSES, DemoChoice, start_camera
 from app.engines.replay.engine import open_replay
-from app.platform.process_tuning import tune_process
+from app.platform.process_tuning import collection_postponed, tune_process
 from app.platform.tasks import JobProgress
 from app.storage.settings import SettingsStore
 from app.window.headless_report import wait_until
@@ -133,7 +133,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     assert isinstance(app, QApplication)
     app.setApplicationName("glovetrack")
     figures: dict[str, object] = {}
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory() as folder, collection_postponed():
         if args.cycles:
             figures["cycles"] = asdict(cycle(app, args.cycles, Path(folder)))
         if args.minutes:

@@ -20,7 +20,7 @@ from app.engines.demo_camera import DemoChoice, start_camera
 from app.panels.command_kind import CommandContext
 from app.platform.compiling import compile_before_start
 from app.platform.crash import CrashWatch, log_folder, log_to_file
-from app.platform.process_tuning import tune_process
+from app.platform.process_tuning import collection_postponed, tune_process
 from app.platform.screens import PLATFORM, has_screen
 from app.platform.single_instance import Instance, hand_over
 from app.platform.translation import install
@@ -93,9 +93,10 @@ def _open(options: WindowOptions, then: Then, alone: bool) -> int:
     app.setApplicationVersion(__version__)
     app.setDesktopFileName("glovetrack")
     app.setWindowIcon(QIcon(str(folder("icons") / "glovetrack.svg")))
-    if options.headless_report is None:
-        return _run(app, options, then, alone)
-    return _report(options, options.headless_report)
+    with collection_postponed():
+        if options.headless_report is None:
+            return _run(app, options, then, alone)
+        return _report(options, options.headless_report)
 
 
 def _check(options: WindowOptions) -> None:

@@ -41,7 +41,12 @@ from app.engines.apart.news import Newsroom
 from app.engines.apart.source import Source
 from app.engines.engine import Built, EngineSetup
 from app.engines.protocols import RecordingRequest
-from app.platform.process_tuning import freeze_permanent_objects, tune_process
+from app.platform.process_tuning import (
+    collection_postponed,
+    freeze_new_objects,
+    freeze_permanent_objects,
+    tune_process,
+)
 from app.platform.tasks import JobProgress
 from app.platform.translation import install
 from tracker.base.errors import GlovetrackError, notice_of
@@ -73,7 +78,7 @@ def serve(pipe: Connection, source: Source, language: str, crash: Path, waits: b
 
     ``waits``: it loads what ``source`` needs and waits for the source to open.
     """
-    with crash.open("w", encoding="utf-8") as file:
+    with crash.open("w", encoding="utf-8") as file, collection_postponed():
         faulthandler.enable(file)
         wanted = _awaited(pipe, source) if waits else source
         if wanted is not None:
@@ -119,6 +124,7 @@ def run(line: Line, source: Source) -> None:
     except Exception as error:  # noqa: BLE001 - the window reports whatever it is
         line.send(Answered(0, error=portable(error)))
         return
+    freeze_permanent_objects()
     desk = Desk(built, line)
     try:
         desk.run()
@@ -328,7 +334,7 @@ class Desk:
             if settling > 0 and self._setup.tracked.latest_estimate() is not None:
                 settling -= max(self._pause, SHORTEST)
                 if settling <= 0:
-                    freeze_permanent_objects()
+                    freeze_new_objects()
 
     def _send_news(self) -> bool:
         """Returns whether they could be collected; otherwise the window has to stop tracking, or it
