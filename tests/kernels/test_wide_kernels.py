@@ -96,21 +96,20 @@ def of_cloth() -> dict[str, tuple[Any, ...]]:
     cloth = ClothMap(bits, rng.integers(0, 2, (60, 80)).astype(np.uint8), bright)
     rig = ideal_rig()
     window = np.array([0.0, rig.cx - 60.0, rig.cy - 100.0, 2.0])
-    seen = cloth, window, rig.left.optics
+    seen = cloth, window, rig.left.optics, True
     ends = rng.normal((0.0, 0.0, 0.3), 0.04, (9, 2, 3))
     capsules = ends, rng.uniform(0.003, 0.009, 9), rig.intrinsics, window
-    classes, known = finger_cloth.cloth_window(*seen), finger_cloth.covered(*capsules)
+    (classes, texture), known = finger_cloth.cloth_window(*seen), finger_cloth.covered(*capsules)
     explained = classes, known, 0.5 * known, 5.0, 2.5
     evidence = finger_cloth.finger_evidence(*explained)
     finger = finger_cloth.Finger(
         np.array([0.0, 0.0, 0.3]), np.eye(3), np.eye(3), np.full(3, 0.03), np.full(3, 0.008), 0.67
     )
-    texture = finger_cloth.texture_window(*seen)
     image = rng.integers(0, 256, (960, 1280, 3)).astype(np.uint8)
     tiles = image, np.arange(4800), bits.reshape(-1), (60, 80)
     found, disparity = cloth_depth.matches(texture, texture), np.array([60.0, 200.0])
     level = finger_cloth.surface_levels(*capsules, disparity)
-    depths = found, classes, known, level
+    depths = found, classes, known[::2, ::2].copy(), level
     depth = cloth_depth.depth_evidence(*depths)
     images = finger_cloth.FingerImages(
         finger, rig.intrinsics, window[None], evidence[None], depth, disparity
@@ -120,7 +119,6 @@ def of_cloth() -> dict[str, tuple[Any, ...]]:
     return {
         "tracker.vision.finger_cloth.cloth_window": seen,
         "tracker.vision.cloth.brightness_tiles": tiles,
-        "tracker.vision.finger_cloth.texture_window": seen,
         "tracker.vision.finger_cloth.surface_levels": (*capsules, disparity),
         "tracker.vision.cloth_depth.matches": (texture, texture),
         "tracker.vision.cloth_depth.depth_evidence": depths,

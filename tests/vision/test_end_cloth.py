@@ -55,7 +55,7 @@ def images(rig: StereoRig, arm: Array | None, known: Array | None = None) -> End
             mask = away <= rig.fx * RADIUS / JOINT[2]
         start = rig.project(JOINT[None], right)[0] - SAMPLES / 2 * pitch
         window = np.array([rig.baseline if right else 0.0, *start, pitch])
-        classes = cloth_window(cloth_map(cloth_of(mask)), window, camera.optics)
+        classes, _ = cloth_window(cloth_map(cloth_of(mask)), window, camera.optics, False)
         covered = np.zeros((SAMPLES, SAMPLES)) if known is None else known
         windows.append(window)
         sums.append(end_evidence(classes, covered, np.zeros_like(covered), pitch**2, (0, 0)))

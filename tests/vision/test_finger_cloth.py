@@ -36,7 +36,7 @@ def test_a_window_is_the_map_from_its_first_sample_on() -> None:
     mask = np.random.default_rng(1).random((120, 128)) < 0.5
     # Samples are 2 px apart, as those of the map: the sample (0, 0) is the map's (4, 8).
     window = np.array([0.0, 16.0, 8.0, 2.0])
-    found = cloth_window(cloth_map(cloth_of(mask)), window, ideal_rig().left.optics)
+    found, _ = cloth_window(cloth_map(cloth_of(mask)), window, ideal_rig().left.optics, False)
     assert np.array_equal(found == INSIDE, mask[4 : 4 + SAMPLES, 8 : 8 + SAMPLES])
     assert np.array_equal(found == OUTSIDE, ~mask[4 : 4 + SAMPLES, 8 : 8 + SAMPLES])
 

@@ -18,6 +18,7 @@ from tracker.kernels.arrays import (
     ByteStack,
     Int8Vector,
     Int32Matrix,
+    Int32Vector,
     IntMatrix,
     IntVector,
     Matrix,
@@ -29,8 +30,11 @@ from tracker.vision.hue_table import HueTable, colour_class
 
 SIDE, STEP = 8, 2  # samples along a tile, and px between two samples
 TILE = SIDE * STEP  # px
+CHANNELS = 3
 NOTHING, OUTSIDE, INSIDE = 0, 1, 2  # classes of a pixel
 AROUND = 5  # samples on each side of one, whose mean brightness it is compared with
+ONE_BITS = 20
+ONE = 1 << ONE_BITS  # counts a sample in a sum of up to 121 brightnesses
 REACH = 4.0  # times a blob's longer side: the distance from a thumb's last marker to its tip
 
 
@@ -135,7 +139,7 @@ def brightness_tiles(
     """bright (n,) of a `Cloth` with tile and bits (n,), for an image with ``size`` (rows, columns)
     tiles."""
     rows, columns = SIDE * size[0], SIDE * size[1]
-    value, worn = np.zeros((rows, columns), np.int32), np.zeros((rows, columns), np.int32)
+    value, pixels = np.zeros((rows, columns), np.int32), image.reshape(len(image), -1)
     first, end, low, high = rows, 0, columns, 0
     for n in range(len(tile)):
         top, left, word = tile[n] // size[1] * SIDE, tile[n] % size[1] * SIDE, bits[n]
@@ -143,62 +147,76 @@ def brightness_tiles(
             continue
         first, end = min(first, top), max(end, top + SIDE)
         low, high = min(low, left), max(high, left + SIDE)
-        for k in range(SIDE * SIDE):
-            if (word >> np.int64(k)) & 1:
-                y, x = top + k // SIDE, left + k % SIDE
-                value[y, x], worn[y, x] = _brightness(image, STEP * y, STEP * x), 1
+        for k in range(SIDE):
+            line = (word >> np.int64(SIDE * k)) & np.int64(2**SIDE - 1)
+            if line != 0:
+                to = value[top + k, left : left + SIDE]
+                _put_brightness(to, pixels, (STEP * (top + k), CHANNELS * STEP * left), line)
     out = np.zeros(len(tile), np.int64)
     if end <= first:
         return out
-    part = _brighter(value[first:end, low:high].copy(), worn[first:end, low:high].copy())
+    part = _brighter(value[first:end, low:high].copy())
     for n in range(len(tile)):
         top, left, word = tile[n] // size[1] * SIDE, tile[n] % size[1] * SIDE, np.int64(0)
         if bits[n] == 0:
             continue
         for k in range(SIDE * SIDE):
-            bit = part[top - first + k // SIDE, left - low + k % SIDE]
+            bit = part[np.uint64(top - first + k // SIDE), np.uint64(left - low + k % SIDE)]
             word |= np.int64(bit) << np.int64(k)
         out[n] = word
     return out
 
 
 @kernel
-def _brightness(image: ByteStack, v: int, u: int) -> int:
-    """Of four pixels."""
-    total = 0
-    for y in range(v, v + 2):
-        for x in range(u, u + 2):
-            total += int(image[y, x, 0]) + 2 * int(image[y, x, 1]) + int(image[y, x, 2])
-    return total
+def _put_brightness(
+    out: Written[Int32Vector], pixels: ByteMatrix, start: tuple[int, int], line: int
+) -> None:
+    """Of four pixels each, less than `ONE` / 121, for one line (SIDE,) of a tile that has the bits
+    ``line``; the image (h, 3 w) has its first pixel at ``start``."""
+    v, u = np.uint64(start[0]), np.uint64(start[1])
+    width = np.uint64(CHANNELS * STEP)
+    for x in range(SIDE):
+        first, total = u + np.uint64(x) * width, np.int32(0)
+        for i in range(CHANNELS * STEP):
+            at = first + np.uint64(i)
+            both = np.int32(pixels[v, at]) + np.int32(pixels[v + np.uint64(1), at])
+            total += both * np.int32(2 if i % CHANNELS == 1 else 1)
+        is_worn = np.int32((line >> np.int64(x)) & np.int64(1))
+        out[x] = is_worn * (np.int32(ONE) + total)
 
 
-@kernel
-def _brighter(value: Int32Matrix, worn: Int32Matrix) -> ByteMatrix:
-    """1 where samples of the cloth are brighter than the mean of those around them; ``value`` is 0
-    where ``worn`` is."""
+@kernel(wide=True)
+def _brighter(value: Int32Matrix) -> ByteMatrix:
+    """1 where samples of the cloth are brighter than the mean of those around them; ``value`` is
+    `ONE` more than the brightness, or 0 where there is no cloth. So a sum has the number of samples
+    in its upper bits."""
     rows, columns = value.shape
     width = 2 * AROUND + 1
     out = np.zeros((rows, columns), np.uint8)
-    sums = np.zeros((2, columns + width), np.int32)  # of columns, with borders of 0
-    up_to = np.zeros((2, columns + width), np.int32)
-    inside = sums[:, AROUND + 1 : AROUND + 1 + columns]
+    sums = np.zeros(columns + 2 * AROUND, np.int32)  # of columns, with borders of 0
+    two, four, all_ = np.empty_like(sums), np.empty_like(sums), np.empty_like(sums)
+    inside = sums[AROUND : AROUND + columns]
     for y in range(rows + AROUND):
         if y < rows:
             for x in range(columns):
-                inside[0, x] += value[y, x]
-                inside[1, x] += worn[y, x]
+                inside[x] += value[y, x]
         if y >= width:
             for x in range(columns):
-                inside[0, x] -= value[y - width, x]
-                inside[1, x] -= worn[y - width, x]
+                inside[x] -= value[y - width, x]
         to = y - AROUND
         if to < 0:
             continue
-        total, count = np.int32(0), np.int32(0)
-        for x in range(columns + width):
-            total, count = total + sums[0, x], count + sums[1, x]
-            up_to[0, x], up_to[1, x] = total, count
+        here, brighter = value[to], out[to]
+        for x in range(len(sums) - 1):
+            two[x] = sums[x] + sums[x + 1]
+        for x in range(len(sums) - 3):
+            four[x] = two[x] + two[x + 2]
         for x in range(columns):
-            total, count = up_to[0, x + width] - up_to[0, x], up_to[1, x + width] - up_to[1, x]
-            out[to, x] = worn[to, x] * (value[to, x] * count >= total)
+            all_[x] = four[x] + four[x + 4] + two[x + 8] + sums[x + 10]
+        for x in range(columns):
+            around, mine = all_[x], here[x]
+            count = around >> np.int32(ONE_BITS)
+            product = np.int32((mine & np.int32(ONE - 1)) * count)
+            is_brighter = product >= (around & np.int32(ONE - 1))
+            brighter[x] = (mine > 0) & is_brighter
     return out

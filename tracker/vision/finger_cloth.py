@@ -11,6 +11,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tracker.kernels import kernel
 from tracker.kernels.arrays import (
@@ -43,6 +44,8 @@ OUTLINE = np.minimum(
 """The probability at a distance of -FAR or more from an outline, outwards."""
 CLOTH_COVERED, CLOTH_UNCOVERED = 0.93, 0.38  # probability of the glove's colours
 CLOTH_IN_RIM, NONE_IN_RIM = -0.83, 0.67  # ln of the likelihood ratio along the rim of a finger
+DEPTH_EVERY = 2  # samples between two whose distance is known
+DEPTHS = SAMPLES // DEPTH_EVERY  # along a side of a window
 LEVELS = 256  # of how much of a sample is explained
 SQUARES_ALIKE = 40.0  # samples² of the comparison of both images that count as one
 FRONT = 0.85  # radii from a finger's axis to its surface, where it is evaluated
@@ -78,10 +81,10 @@ class Finger(NamedTuple):
 class FingerImages(NamedTuple):
     """A finger as cameras see it: windows (c, 4) have the camera's shift (m), the first sample (u,
     v) and the distance between samples (rectified px); maps (c, 2, n + 2, n + 2) are those of
-    `finger_evidence`; depth (levels, n + 2, n + 2), without levels if unknown, is `depth_evidence`
-    in the first window; disparity (2,) has samples m and samples: the number of a level is the
-    latter less the former divided by the distance of the surface; inside is the weight of the first
-    of the maps."""
+    `finger_evidence`; depth (levels, n / 2 + 2, n / 2 + 2), without levels if unknown, is
+    `depth_evidence` in the first window; disparity (2,) has samples m and samples: the number of a
+    level is the latter less the former divided by the distance of the surface; inside is the weight
+    of the first of the maps."""
 
     finger: Finger
     rig: StereoIntrinsics
@@ -117,31 +120,25 @@ def _raw_at(nodes: Stack, x: int, y: int) -> tuple[float, float]:
 
 
 @kernel(wide=True)
-def cloth_window(cloth: ClothMap, window: Vector, camera: Optics) -> ByteMatrix:
-    """The class (`cloth.INSIDE`, …) of each sample, (n, n), of a window (`FingerImages`)."""
+def cloth_window(
+    cloth: ClothMap, window: Vector, camera: Optics, textured: bool
+) -> tuple[ByteMatrix, Int32Matrix]:
+    """The class (`cloth.INSIDE`, …) of each sample, (n, n), of a window (`FingerImages`), and if
+    ``textured``, else 0, its texture (`cloth.brightness_at`)."""
     nodes = _raw_nodes(window, camera)
-    out = np.empty((SAMPLES, SAMPLES), np.uint8)
+    classes = np.empty((SAMPLES, SAMPLES), np.uint8)
+    texture = np.zeros((SAMPLES, SAMPLES), np.int32)
     for y in range(SAMPLES):
         for x in range(SAMPLES):
             u, v = _raw_at(nodes, x, y)
-            out[y, x] = cloth_at(cloth, u, v)
-    return out
+            classes[y, x] = cloth_at(cloth, u, v)
+            if textured and classes[y, x] == INSIDE:
+                texture[y, x] = brightness_at(cloth, u, v)
+    return classes, texture
 
 
-UNKNOWN_DEPTH = np.zeros((0, SAMPLES + 2, SAMPLES + 2), np.float32), np.zeros(2)
+UNKNOWN_DEPTH = np.zeros((0, DEPTHS + 2, DEPTHS + 2), np.float32), np.zeros(2)
 """depth and disparity of `FingerImages` without texture."""
-
-
-@kernel(wide=True)
-def texture_window(cloth: ClothMap, window: Vector, camera: Optics) -> Int32Matrix:
-    """The texture (`cloth.brightness_at`) of each sample, (n, n), of a window."""
-    nodes = _raw_nodes(window, camera)
-    out = np.zeros((SAMPLES, SAMPLES), np.int32)
-    for y in range(SAMPLES):
-        for x in range(SAMPLES):
-            u, v = _raw_at(nodes, x, y)
-            out[y, x] = brightness_at(cloth, u, v)
-    return out
 
 
 @kernel(error_model="numpy")
@@ -161,25 +158,36 @@ def _in_window(ends: Stack, radius: Vector, rig: StereoIntrinsics, window: Vecto
 def surface_levels(
     ends: Stack, radius: Vector, rig: StereoIntrinsics, window: Vector, disparity: Vector
 ) -> Matrix:
-    """(n, n) level of disparity (`FingerImages`) of the nearest of the capsules, as for `covered`;
-    infinite where none is."""
-    out, capsules = np.full((SAMPLES, SAMPLES), np.inf), _in_window(ends, radius, rig, window)
+    """(n / 2, n / 2) level of disparity (`FingerImages`) of the nearest of the capsules, as for
+    `covered`, at every second sample; infinite where none is."""
+    out, capsules = np.full((DEPTHS, DEPTHS), np.inf), _in_window(ends, radius, rig, window)
     for k in range(len(capsules)):
         u0, v0, u1, v1, r = capsules[k]
         du, dv = u1 - u0, v1 - v0
         along_u, along_v = du / (du * du + dv * dv + 1e-9), dv / (du * du + dv * dv + 1e-9)
         m = r + SOFT
-        first, end = max(int(min(u0, u1) - m), 0), min(int(max(u0, u1) + m) + 2, SAMPLES)
-        for y in range(max(int(min(v0, v1) - m), 0), min(int(max(v0, v1) + m) + 2, SAMPLES)):
-            for x in range(first, end):
+        left, right = _between(u0, u1, m)
+        top, bottom = _between(v0, v1, m)
+        for j in range(top, bottom):
+            y = DEPTH_EVERY * j
+            for i in range(left, right):
+                x = DEPTH_EVERY * i
                 t = min(max((x - u0) * along_u + (y - v0) * along_v, 0.0), 1.0)
                 a, b = x - u0 - t * du, y - v0 - t * dv
                 d2 = a * a + b * b
                 if d2 < m * m:
                     z = ends[k, 0, 2] + t * (ends[k, 1, 2] - ends[k, 0, 2])
                     z -= radius[k] * np.sqrt(max(1.0 - d2 / (r * r), 0.0))
-                    out[y, x] = min(out[y, x], disparity[1] - disparity[0] / z)
+                    out[j, i] = min(out[j, i], disparity[1] - disparity[0] / z)
     return out
+
+
+@kernel
+def _between(one: float, other: float, margin: float) -> tuple[int, int]:
+    """The first row, or column, of `surface_levels` between two samples, and the one after the
+    last."""
+    first, last = min(one, other) - margin, max(one, other) + margin
+    return max(int(first / DEPTH_EVERY), 0), min(int(last / DEPTH_EVERY) + 2, DEPTHS)
 
 
 @kernel(wide=True)
@@ -242,29 +250,44 @@ def separates(classes: ByteMatrix, known: Matrix) -> bool:
 
 
 @kernel(wide=True)
-def _disc_means(weight: Matrix, radius: float, out: Written[Float32Matrix]) -> None:
+def _disc_means(weight: Float32Matrix, radius: float, out: Written[Float32Matrix]) -> None:
     """Puts the mean of ``weight`` (n, n) in a disc about each sample into ``out`` (n + 2, n + 2),
     inside a border of one sample; it is 0 beyond the edges."""
     side, reach = len(weight), int(radius)
-    sums = np.zeros((side + 2 * reach, side + 2 * reach + 1))
-    for y in range(side):
-        total = 0.0
-        for x in range(side):
-            total += weight[y, x]
-            sums[y + reach, x + reach + 1] = total
-        sums[y + reach, side + reach + 1 :] = total
-    means, count = np.zeros((side, side)), 0
+    row = np.zeros(side + 2 * reach + 1, np.float32)  # sums up to a sample
+    halves, count = np.empty(2 * reach + 1, np.int64), 0
     for k in range(2 * reach + 1):
-        half = int(np.sqrt(radius * radius - (k - reach) ** 2))
-        count += 2 * half + 1
-        for y in range(side):
-            row, to = sums[y + k], means[y]
+        halves[k] = int(np.sqrt(radius * radius - (k - reach) ** 2))
+        count += 2 * halves[k] + 1
+    share = np.float32(1.0 / count)
+    for y in range(side):
+        total = np.float32(0.0)
+        for x in range(side):
+            total += share * weight[y, x]
+            row[x + reach + 1] = total
+        row[reach + side + 1 :] = total
+        for k in range(2 * reach + 1):
+            at, half = y + k - reach, halves[k]
+            if at < 0 or at >= side:
+                continue
+            to = out[at + 1, 1 : side + 1]
             first, end = row[reach - half : reach - half + side], row[reach + half + 1 :]
             for x in range(side):
                 to[x] += end[x] - first[x]
-    for y in range(side):
-        for x in range(side):
-            out[y + 1, x + 1] = means[y, x] / count
+
+
+def _explained() -> NDArray[np.float32]:
+    """(3, LEVELS + 1) ln of the likelihood ratio of a sample inside a finger, by its class and how
+    much of it is explained."""
+    e = np.arange(LEVELS + 1) / LEVELS
+    cloth = CLOTH_COVERED * e + CLOTH_UNCOVERED * (1.0 - e)
+    out = np.zeros((3, LEVELS + 1), np.float32)
+    out[INSIDE] = np.log(CLOTH_COVERED / cloth)
+    out[OUTSIDE] = np.log((1.0 - CLOTH_COVERED) / (1.0 - cloth))
+    return out
+
+
+EXPLAINED = _explained()
 
 
 @kernel(wide=True)
@@ -275,15 +298,10 @@ def finger_evidence(
     at each position, for samples of ``area`` px² that are explained by ``known`` parts
     or by ``others``, (n, n) probabilities each; 0 in a border of one sample."""
     side = len(classes)
-    inside, rim = np.empty((side, side)), np.empty((side, side))
-    share = area / PIXELS_ALIKE
-    by_level, by_class = np.zeros((3, LEVELS + 1)), np.zeros(3)
-    for k in range(LEVELS + 1):
-        e = k / LEVELS
-        cloth = CLOTH_COVERED * e + CLOTH_UNCOVERED * (1.0 - e)
-        by_level[INSIDE, k] = share * np.log(CLOTH_COVERED / cloth)
-        by_level[OUTSIDE, k] = share * np.log((1.0 - CLOTH_COVERED) / (1.0 - cloth))
+    inside, rim = np.empty((side, side), np.float32), np.empty((side, side), np.float32)
+    share, by_class = area / PIXELS_ALIKE, np.zeros(3)
     by_class[INSIDE], by_class[OUTSIDE] = share * CLOTH_IN_RIM, share * NONE_IN_RIM
+    by_level = np.float32(share) * EXPLAINED
     for y in range(side):
         for x in range(side):
             free = (1.0 - known[y, x]) * (1.0 - others[y, x])
@@ -350,7 +368,8 @@ def _at_depth(
     if level <= -1.0 or level >= len(depth):
         return 0.0
     map_ = depth[np.uint64(min(max(int(level + 0.5), 0), len(depth) - 1))]
-    (u, v), x, y = at, LINE * across[0], LINE * across[1]
+    u, v = at[0] / DEPTH_EVERY, at[1] / DEPTH_EVERY
+    x, y = LINE / DEPTH_EVERY * across[0], LINE / DEPTH_EVERY * across[1]
     return 0.5 * (_value(map_, u + x, v + y) + _value(map_, u - x, v - y))
 
 
@@ -405,7 +424,9 @@ def _others_in_view(
     """ln of the likelihood ratio in one window of the second and third segment: ends (6, 4) are u,
     v and radius, in samples, and the level of disparity, of both ends of each segment; near (n, 2)
     are positions on the first segment."""
-    total = 0.0
+    total, past = 0.0, near[ALONG[0] - 1]
+    along_u, along_v = past[0] - near[0, 0], past[1] - near[0, 1]
+    along2 = along_u * along_u + along_v * along_v
     for k in range(1, 3):
         du, dv = ends[2 * k + 1, 0] - ends[2 * k, 0], ends[2 * k + 1, 1] - ends[2 * k, 1]
         length, r, count = np.sqrt(du * du + dv * dv) + 1e-6, ends[2 * k, 2], ALONG[k]
@@ -418,7 +439,9 @@ def _others_in_view(
             if k == 2 and q == count - 1:
                 weight += 1.57 * r * r
                 total += _end_rim(maps[1], (u, v, eu, ev), r)
-            if k == 2 or q > 0:  # a bent finger covers itself
+            ahead = (u - past[0]) * along_u + (v - past[1]) * along_v
+            is_clear = ahead > 0.0 and ahead * ahead > whole * along2
+            if (k == 2 or q > 0) and not is_clear:  # a bent finger covers itself
                 least = whole
                 for i in range(ALONG[0]):
                     x, y = u - near[i, 0], v - near[i, 1]

@@ -53,9 +53,10 @@ STAYS = 0.6  # share of the probabilities that is still valid after `PERIOD`
 MOVES = np.deg2rad([12.0, 5.0, 12.0])  # rad in `PERIOD`, flexion, abduction and bend
 JOINT_STAYS = 0.995  # as `STAYS`, of where the knuckle is
 PERIOD = 0.1  # s
-POSTURES = 30  # that are evaluated with the knuckle elsewhere
+POSTURES = 16  # that are evaluated with the knuckle elsewhere
 LEAST_KNUCKLE = 0.003  # probability of a position of the knuckle that is evaluated
-KEPT, UNLIKELY = 16, 9.0  # cells that are divided, and ln of their least probability, relative
+KEPT, UNLIKELY = 16, 6.0  # cells that are divided, and ln of their least probability, relative
+IMPROBABLE = 10.0  # ln, below the most probable one, of cells that one image decides
 ATTRACTS = 4.0  # ln of the likelihood ratio, maximum, for the posture of a hidden finger
 TINY = 1e-12
 
@@ -224,6 +225,28 @@ def _put_posture(out: Written[Vector], knuckle: int, posture: int) -> None:
 
 
 @kernel
+def _in_both(tried: Matrix, log_prior: Vector, images: FingerImages, share: float) -> Vector:
+    """(n,) ln of the likelihood ratios of postures (n, 5), times ``share``. Those that the first
+    image makes improbable count it twice, and are not evaluated in the second one."""
+    windows, maps, depth = images.windows, images.maps, images.depth
+    if len(windows) < 2:
+        return share * finger_likelihoods(tried, images)
+    finger, rig, disparity = images.finger, images.rig, images.disparity
+    one = FingerImages(finger, rig, windows[:1], maps[:1], depth, disparity, images.inside)
+    other = FingerImages(finger, rig, windows[1:], maps[1:], depth[:0], disparity, images.inside)
+    first = share * finger_likelihoods(tried, one)
+    expected = 2.0 * first + log_prior
+    rows = np.nonzero(expected > expected.max() - IMPROBABLE)[0]
+    left = np.empty((len(rows), tried.shape[1]))
+    for i in range(len(rows)):
+        left[i] = tried[rows[i]]
+    second, out = share * finger_likelihoods(left, other), 2.0 * first
+    for i in range(len(rows)):
+        out[rows[i]] = first[rows[i]] + second[i]
+    return out
+
+
+@kernel
 def _coarse(before: Vector, images: FingerImages, share: float) -> tuple[Matrix, IntVector]:
     """ln of the likelihood ratios of all cells (12, 450): of each posture with the knuckle where it
     most probably is; of the likeliest, with the knuckle anywhere it may be. And the latter postures
@@ -235,8 +258,9 @@ def _coarse(before: Vector, images: FingerImages, share: float) -> tuple[Matrix,
     knuckle = int(np.argmax(mass))
     for i in range(CELLS):
         _put_posture(tried[i], knuckle, i)
-    values = share * finger_likelihoods(tried, images)
-    best = highest(values + np.log(table[knuckle] + TINY), POSTURES)
+    log_prior = np.log(table[knuckle] + TINY)
+    values = _in_both(tried, log_prior, images, share)
+    best = highest(values + log_prior, POSTURES)
     out, again = np.empty((KNUCKLES, CELLS)), np.empty((len(best), len(CELL)))
     for k in range(KNUCKLES):
         out[k] = values

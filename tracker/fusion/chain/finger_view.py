@@ -14,6 +14,7 @@ from tracker.vision.cloth import cloth_map
 from tracker.vision.cloth_depth import NEAREST_LEVEL, depth_evidence, matches
 from tracker.vision.end_cloth import EndImages, ExpectedEnd, end_evidence, part_side, part_start
 from tracker.vision.finger_cloth import (
+    DEPTH_EVERY,
     SAMPLES,
     SPACING,
     UNKNOWN_DEPTH,
@@ -28,7 +29,6 @@ from tracker.vision.finger_cloth import (
     finger_likelihoods,
     separates,
     surface_levels,
-    texture_window,
 )
 from tracker.vision.rig import NEAREST, Camera, StereoIntrinsics, StereoRig
 
@@ -91,11 +91,12 @@ def _across(half: float) -> list[float]:
 
 class FingerView(NamedTuple):
     """One camera's window (`FingerImages`); classes (n, n) of its samples; known (n, n) probability
-    that a known part covers a sample."""
+    that a known part covers a sample; texture (n, n) of the cloth, 0 if it is unknown."""
 
     window: Array
     classes: NDArray[np.uint8]
     known: Array
+    texture: NDArray[np.int32]
 
     @property
     def is_right(self) -> bool:
@@ -109,14 +110,15 @@ def finger_views(
     cloths: Sequence[Cloth | None],
     known: tuple[Array, Array],
     centre: Array,
+    textured: bool = False,
 ) -> list[FingerView]:
     """The cameras in whose images the glove's cloth differs from its surroundings; windows are
-    about ``centre`` (3,) m in C."""
+    about ``centre`` (3,) m in C. Their texture is set if ``textured``."""
     ends = (known[0] - pose.p_GC) @ pose.R_GC
     if min(centre[2], ends[..., 2].min()) <= 3 * NEAREST:
         return []
     views = [
-        _view(rig, bool(c), cloth, centre, (ends, known[1]))
+        _view(rig, bool(c), (cloth, textured), centre, (ends, known[1]))
         for c, cloth in enumerate(cloths)
         if cloth is not None
     ]
@@ -124,20 +126,26 @@ def finger_views(
 
 
 def _view(
-    rig: StereoRig, right: bool, cloth: Cloth, centre: Array, known: tuple[Array, Array]
+    rig: StereoRig,
+    right: bool,
+    cloth: tuple[Cloth, bool],
+    centre: Array,
+    known: tuple[Array, Array],
 ) -> FingerView:
-    """A window about ``centre`` (3,) m in C, with the ``known`` capsules in C."""
+    """A window about ``centre`` (3,) m in C, with the ``known`` capsules in C; ``cloth`` has
+    whether its texture is wanted."""
     camera: Camera = rig.right if right else rig.left
     pitch = SPACING * rig.fx / centre[2]
     start = rig.project(centre[None], right=right)[0] - SAMPLES / 2 * pitch
     window = np.array([rig.baseline if right else 0.0, start[0], start[1], pitch])
-    classes = cloth_window(cloth_map(cloth), window, camera.optics)
-    return FingerView(window, classes, covered(*known, rig.intrinsics, window))
+    wanted = cloth[1] and cloth[0].bright is not None
+    classes, texture = cloth_window(cloth_map(cloth[0]), window, camera.optics, wanted)
+    return FingerView(window, classes, covered(*known, rig.intrinsics, window), texture)
 
 
 class ClothViews(NamedTuple):
     """The cameras that show the cloth, the known parts, ends (k, 2, 3) m in C and radii (k,) m, and
-    the `matches` of both windows, (levels, n, n), or without levels if they are unknown."""
+    the `matches` of both windows, (levels, n / 2, n / 2), or without levels if they are unknown."""
 
     each: list[FingerView]
     known: tuple[Array, Array]
@@ -152,17 +160,11 @@ def cloth_views(
     centre: Array,
 ) -> ClothViews:
     """As `finger_views`, with the cloth's distance."""
-    each = finger_views(rig, pose, cloths, known, centre)
+    each = finger_views(rig, pose, cloths, known, centre, textured=True)
     in_C = (known[0] - pose.p_GC) @ pose.R_GC, known[1]
-    maps = [cloth_map(c) for c in cloths if c is not None and c.bright is not None]
-    if min(len(each), len(maps)) < 2:
-        return ClothViews(each, in_C, np.zeros((0, SAMPLES, SAMPLES), np.float32))
-    cameras: tuple[Camera, Camera] = rig.left, rig.right
-    textures = [
-        texture_window(cloth, view.window, camera.optics)
-        for cloth, view, camera in zip(maps, each, cameras, strict=True)
-    ]
-    return ClothViews(each, in_C, matches(*textures))
+    if len(each) < 2 or any(c is None or c.bright is None for c in cloths):
+        return ClothViews(each, in_C, UNKNOWN_DEPTH[0])
+    return ClothViews(each, in_C, matches(*(view.texture for view in each)))
 
 
 def finger_images(
@@ -203,7 +205,8 @@ def _depth(
     disparity = np.array([of.fx * of.baseline / pitch, NEAREST_LEVEL + offset])
     ends, radius = (np.concatenate(p) for p in zip(views.known, others, strict=True))
     level = surface_levels(ends, radius, of, left.window, disparity)
-    covered_too = 1.0 - (1.0 - left.known) * (1.0 - drawn[0])
+    every = slice(None, None, DEPTH_EVERY)
+    covered_too = 1.0 - (1.0 - left.known[every, every]) * (1.0 - drawn[0][every, every])
     return depth_evidence(views.matches, left.classes, covered_too, level), disparity
 
 
