@@ -41,6 +41,7 @@ SAMPLES: dict[str, Callable[[Settings], Settings]] = {
     "chain": lambda s: replace(s, engine="chain", chain=replace(s.chain, bundle=EARLY)),
     "chain_aligned": lambda s: replace(s, engine="chain"),
     "chain_axes": lambda s: replace(s, engine="chain", chain=replace(s.chain, bundle=EARLY)),
+    "chain_people": lambda s: replace(s, engine="chain"),
     "chain_previous": lambda s: replace(
         s, engine="chain", chain=replace(s.chain, guide="previous")
     ),

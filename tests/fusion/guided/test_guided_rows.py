@@ -117,10 +117,20 @@ def test_a_finger_without_sensors_contributes_no_rows(layout, distal):
 
 def test_a_flat_hand_lies_on_the_table(layout, distal):
     rows = PoseRows(layout, distal, GuidedParams())
-    flexions, plane = rows(initial_state(layout), distal.prior(), POSES["flat"])
+    flexions, plane = rows(initial_state(layout), distal.of_hand_file(), POSES["flat"])
     np.testing.assert_allclose(flexions.r, 0.0, atol=1e-12)
     # fingertips are thinner than the palm: neither of them touches in the file's hand
     assert np.abs(plane.r).max() < 5e-3
+
+
+def test_straight_fingers_say_nothing_about_joints_that_follow_others(hand, glove):
+    """Held straight, people's end joints are straight, however they bend in free motion."""
+    layout = ChainLayout(hand, glove)
+    distal = DistalSegments(layout, SynergyParams())
+    flexions, _ = PoseRows(layout, distal, GuidedParams())(
+        initial_state(layout), distal.prior(), POSES["flat"]
+    )
+    assert len(flexions.r) == 4 and not flexions.H_own.any()  # MCP and PIP of two fingers
 
 
 def test_a_contact_is_independent_of_the_hands_pose(layout, distal):

@@ -30,6 +30,7 @@ from tracker.messages import Array
 RATIO, OFFSET, ASIDE = range(3)
 OWN = 3  # parameters of a digit
 STEP = 1e-5  # rad, of central differences
+THUMB_RATIO_OF_FILE = 0.75  # sd of people's ratios about that of the hand file
 
 
 class Digit(NamedTuple):
@@ -54,6 +55,11 @@ class Synergies:
 
     value: Array
     P: Array
+
+    @classmethod
+    def none(cls) -> Synergies:
+        """Those of no digit."""
+        return cls(np.zeros((0, OWN)), np.zeros((0, 0)))
 
     def moved(self, dx: Array, P: Array) -> Synergies:
         """A copy corrected by an error vector (3 d,), with a new covariance."""
@@ -87,18 +93,37 @@ class DistalSegments:
     # ---- parameters
 
     def prior(self) -> Synergies:
-        """The hand file's values, with the variation between people as covariance."""
-        hand = self._layout.hand
-        value = [
-            (hand.synergies[d.link].ratio, hand.synergies[d.link].offset, 0.0) for d in self.digits
-        ]
-        P = np.diag(self._prior_sd.ravel() ** 2)
-        for k, middle in enumerate(self._middle):  # a line is uncertain by its ratio beside it
+        """The hand file's lines, turned about ``middle`` to the mean ratio of people, with the
+        variation between people as covariance."""
+        p, lines = self._params, self._file_lines()
+        slope = np.array([p.thumb_slope if d.name == "thumb" else p.slope for d in self.digits])
+        offset = lines[:, OFFSET] + (lines[:, RATIO] - slope) * self._middle
+        value = np.column_stack([slope, offset, np.zeros(len(slope))])
+        return Synergies(value, self._prior_covariance(self._prior_sd))
+
+    def of_hand_file(self) -> Synergies:
+        """The hand file's own lines, with which recordings without a saved prior were started."""
+        sd, lines = self._prior_sd.copy(), self._file_lines()
+        for k, d in enumerate(self.digits):
+            if d.name == "thumb":
+                sd[k, RATIO] = THUMB_RATIO_OF_FILE
+        value = np.column_stack([lines, np.zeros(len(lines))])
+        return Synergies(value, self._prior_covariance(sd))
+
+    def _file_lines(self) -> Array:
+        """(d, 2) ratio and offset (rad) in the hand file."""
+        links = [self._layout.hand.synergies[d.link] for d in self.digits]
+        return np.array([(s.ratio, s.offset) for s in links]).reshape(-1, 2)
+
+    def _prior_covariance(self, sd: Array) -> Array:
+        """(3 d, 3 d): a line that is uncertain by its ratio beside ``middle``; sd (d, 3)."""
+        P = np.diag(sd.ravel() ** 2)
+        for k, middle in enumerate(self._middle):
             row = OWN * k
             ratio = P[row + RATIO, row + RATIO]
             P[row + OFFSET, row + OFFSET] += middle**2 * ratio
             P[row + RATIO, row + OFFSET] = P[row + OFFSET, row + RATIO] = -middle * ratio
-        return Synergies(np.array(value).reshape(-1, OWN), P)
+        return P
 
     @cached_property
     def _prior_sd(self) -> Array:

@@ -143,14 +143,18 @@ class SynergyParams:
 
     ``posture`` is the individual variation of a distal joint from posture to posture. ``ratio`` is
     that of a line through ``middle``, the flexion of the joint before at which people agree best.
+    ``slope`` is the mean ratio of people, from which ``ratio`` deviates, whatever the hand file's
+    is: its line counts at ``middle``.
     """
 
+    slope: float = 0.40
     ratio: float = 0.35
     middle_deg: float = 40.0
     offset_deg: float = 5.0
     aside_deg: float = 3.0
     posture_deg: float = 12.5
-    thumb_ratio: float = 0.75
+    thumb_slope: float = 0.0
+    thumb_ratio: float = 0.50
     thumb_middle_deg: float = 20.0
     thumb_offset_deg: float = 8.0
     thumb_aside_deg: float = 5.0

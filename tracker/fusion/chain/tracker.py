@@ -82,6 +82,7 @@ class ChainTracker:
         self._second = SecondLook(
             layout, self.filter, self._recognition, self._starter, params.match
         )
+        self.wearer.show()
 
     @property
     def state(self) -> ChainState:

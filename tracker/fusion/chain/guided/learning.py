@@ -41,7 +41,9 @@ class GuidedSavedState:
     samples: list[HeldSample] = field(default_factory=list)  # of the present hold
     accepted: list[ReducedRows] = field(default_factory=list)
     synergies: Synergies | None = None  # None: same as before the first pose
-    base: Synergies | None = None  # before the first pose; None: those of the hand file
+    base: Synergies | None = None  # before the first pose, of a wearer profile; None: ``prior``
+    prior: Synergies = field(default_factory=Synergies.none)
+    """Of an unknown wearer. Empty in recordings that were started with the hand file's lines."""
 
 
 class GuidedLearning:
@@ -53,20 +55,25 @@ class GuidedLearning:
         self._layout, self._distal, self._params = layout, distal, params
         self._rows = PoseRows(layout, distal, params)
         self._holds = holds
-        self.saved = GuidedSavedState()
+        self.saved = GuidedSavedState(prior=distal.prior())
 
     @property
     def synergies(self) -> Synergies:
         """The present estimate."""
-        return self.saved.synergies or self._distal.prior()
+        return self.saved.synergies or self._base
 
     @property
     def _base(self) -> Synergies:
         """The synergies before the first pose."""
-        return self.saved.base or self._distal.prior()
+        return self.saved.base or self._prior
+
+    @property
+    def _prior(self) -> Synergies:
+        prior = self.saved.prior
+        return prior if len(prior.value) else self._distal.of_hand_file()
 
     def put_on(self, known: Synergies | None) -> None:
-        """Start over with the synergies of a wearer profile, or (None) of the hand file."""
+        """Start over with the synergies of a wearer profile, or (None) of an unknown wearer."""
         self.saved.accepted, self.saved.base, self.saved.synergies = [], known, known
 
     # ---- while the filter runs

@@ -58,7 +58,9 @@ class PoseRows:
     def _flexions(
         self, state: ChainState, own: Synergies, held: list[HeldFlexion]
     ) -> HeldRows | None:
-        known = [(f, row) for f in held if (row := self._distal.flexion(state, own, f.joint))]
+        found = [(f, self._distal.flexion(state, own, f.joint)) for f in held]
+        # of an end joint that follows another, a pose says how it is held, not how it bends freely
+        known = [(f, row) for f, row in found if row is not None and not row.H_own.any()]
         if not known:
             return None
         return HeldRows(
