@@ -1,4 +1,4 @@
-"""``glovetrack loop-back``: from a command to its light in an image."""
+"""``glovetrack loop-back``: from a command, or a tap, to its light in an image."""
 
 from __future__ import annotations
 
@@ -22,6 +22,10 @@ class LoopBackArguments:
         metadata=argument("calibration of the camera", "--calibration", metavar="FILE")
     )
     channel: int = field(default=0, metadata=argument("motor output of the light (default: 0)"))
+    screen: bool = field(
+        default=False,
+        metadata=argument("flash the screen at each tap of the glove instead of blinking a light"),
+    )
     seconds: float = field(default=30.0, metadata=argument("duration (default: 30)", metavar="S"))
     json: str | None = json_option()
     force: bool = force_option()
@@ -29,9 +33,10 @@ class LoopBackArguments:
 
 LOOP_BACK = Command(
     "loop-back",
-    "measure the delay from a command to the glove to its light in an image",
+    "measure the delay from a command to the glove, or from a tap, to its light in an image",
     deferred("extensions.loopback.command_runs:run_loop_back"),
     options=LoopBackArguments,
     epilog="Connect an LED, with its resistor, to a motor output of the glove, and put it into the "
-    "picture of the left camera. It blinks at irregular times.",
+    "picture of the left camera. It blinks at irregular times. With --screen, point the left "
+    "camera at the screen and tap on the table with the glove.",
 )

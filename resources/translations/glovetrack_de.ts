@@ -7925,6 +7925,11 @@ change {}: {}</source>
       <translation>Offene Hand, am Ende</translation>
     </message>
     <message>
+      <location filename="extensions/loopback/window/flash.py" />
+      <source>Point the left camera at this window and tap on the table with the glove, firmly and at irregular times. Esc ends the measurement.</source>
+      <translation>Richten Sie die linke Kamera auf dieses Fenster und klopfen Sie mit dem Handschuh kräftig und in unregelmäßigen Abständen auf den Tisch. Esc beendet die Messung.</translation>
+    </message>
+    <message>
       <location filename="extensions/movement/window/extension.py" />
       <source>Report</source>
       <translation>Bericht</translation>
@@ -13983,6 +13988,21 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>No place in the left image follows the commands (correlation {correlation}). The light must be connected to this motor output and be in the picture, and the exposure be short enough that it is not saturated.</source>
       <translation>Keine Stelle im linken Bild folgt den Befehlen (Korrelation {correlation}). Das Licht muss an diesem Motorausgang angeschlossen und im Bild sein, und die Belichtung muss so kurz sein, dass es nicht übersteuert.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No place in the left image follows the flashes of the screen (correlation {correlation}). The window must be in the picture, and the exposure be short enough that it is not saturated.</source>
+      <translation>Keine Stelle im linken Bild folgt dem Blinken des Bildschirms (Korrelation {correlation}). Das Fenster muss im Bild und die Belichtung so kurz sein, dass es nicht überbelichtet ist.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove has measured no tap. Tap on a table with it, firmly, at irregular times.</source>
+      <translation>Der Handschuh hat kein Klopfen gemessen. Klopfen Sie damit kräftig und in unregelmäßigen Abständen auf einen Tisch.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>There is no screen that could flash.</source>
+      <translation>Es gibt keinen Bildschirm, der blinken könnte.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />

@@ -5,17 +5,25 @@ from __future__ import annotations
 import json
 import threading
 import time
+from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Protocol
 
 import numpy as np
 import pytest
+from PySide6.QtCore import Qt
 
 from extensions.loopback import measure as measuring
+from extensions.loopback import taps as tapping
 from extensions.loopback.command_runs import figures, lines
-from extensions.loopback.measure import DelayedLight, LoopBack, find_light, measure
+from extensions.loopback.light import DelayedLight, find_light
+from extensions.loopback.measure import ON, Commands, LoopBack, measure
+from extensions.loopback.taps import TAP, Taps
+from extensions.loopback.window.flash import FlashWindow, flash_while
 from tracker.base.errors import DeviceError
 from tracker.cli import main
+from tracker.messages import ImuSample
 from tracker.sensors.glove_link import GloveLink
 
 EXPOSURE = 0.006  # s
@@ -97,10 +105,17 @@ class LitGlove:
         return self.accepts
 
 
-class Camera:
-    """100 images a second of the glove; images of a past exposure show what was then."""
+class Lights(Protocol):
+    """``runs``: begin and end of each light so far, s."""
 
-    def __init__(self, glove: LitGlove) -> None:
+    runs: list[tuple[float, float]]
+    lock: threading.Lock
+
+
+class Camera:
+    """100 images a second of a light; images of a past exposure show what was then."""
+
+    def __init__(self, glove: Lights) -> None:
         self.glove = glove
 
     def read(self, timeout: float) -> SimpleNamespace:
@@ -118,15 +133,108 @@ def test_devices_are_measured(monkeypatch: pytest.MonkeyPatch) -> None:
     # With shorter pauses the pulses are almost periodic, and in reverse they look alike.
     monkeypatch.setattr(measuring, "PAUSE", (0.05, 0.3))
     glove = LitGlove()
-    found = measure(glove, Camera(glove), 4.0, channel=2)
+    found = measure(Commands(glove, 2), Camera(glove), 4.0)
     assert found.place == (56, 24)
     assert found.light.delay == pytest.approx(LitGlove.LATE, abs=0.003)
     result = figures(found)
     assert result["exposure_to_arrival_median_ms"] == pytest.approx(20.0)
     assert json.loads(json.dumps(result)) == result
     with pytest.raises(DeviceError) as refused:
-        measure(LitGlove(accepts=False), Camera(glove), 0.4, channel=2)
+        measure(Commands(LitGlove(accepts=False), 2), Camera(glove), 0.4)
     assert refused.value.notice.code == "loopback.no_commands"
+
+
+class TappedGlove:
+    """100 packets a second, which arrive 4 ms after their instant; taps at irregular times, each of
+    which rebounds."""
+
+    WAY = 0.004
+
+    def __init__(self, force: float) -> None:
+        rng = np.random.default_rng(3)
+        self.taps = time.monotonic() + 0.1 + np.cumsum(rng.uniform(0.16, 0.4, 60))
+        self.force, self.t, self.seq = force, time.monotonic(), 0
+
+    def poll(self, timeout: float) -> list[ImuSample]:
+        time.sleep(timeout)
+        out = []
+        while self.t + 0.01 + self.WAY < time.monotonic():
+            before, self.t, self.seq = self.t, self.t + 0.01, self.seq + 1
+            accel = np.tile([0.0, 0.0, 9.8], (7, 1))
+            accel[5] = np.nan  # does not answer
+            if ((self.taps > before) & (self.taps <= self.t)).any():
+                accel[3, 0] += self.force
+            still = np.zeros((7, 3))
+            sample = ImuSample(self.t, self.t + self.WAY, self.t, self.seq, accel, still, still > 0)
+            out.append(sample)
+        return out
+
+
+class SlowScreen:
+    """Shows what it is asked to 30 ms later."""
+
+    LATE = 0.030
+
+    def __init__(self) -> None:
+        self.runs, self.lock = [(0.0, 0.0)], threading.Lock()
+
+    def show(self, lit: bool) -> None:
+        t = time.monotonic() + self.LATE
+        with self.lock:
+            self.runs.append((t, np.inf) if lit else (self.runs.pop()[0], t))
+
+
+def test_the_delay_from_taps_to_a_screen_is_measured(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(tapping, "APART", 0.15)
+    screen = SlowScreen()
+    found = measure(Taps(TappedGlove(2 * TAP), screen.show), Camera(screen), 5.0)
+    assert found.pulses >= 10
+    # the packets' way, up to 5 ms until the glove is asked again, the screen
+    assert 0.032 < found.light.delay < 0.045
+    result = figures(found, "tap")
+    assert any(line.startswith("Tap to light") for line in lines(result))
+    with pytest.raises(DeviceError) as refused:
+        measure(Taps(TappedGlove(TAP / 2), screen.show), Camera(screen), 0.4)
+    assert refused.value.notice.code == "loopback.no_taps"
+
+
+def test_the_screen_is_lit_for_a_while_after_a_tap_and_not_again_by_its_rebound() -> None:
+    shown: list[tuple[float, bool]] = []
+    taps = Taps(TappedGlove(2 * TAP), lambda lit: shown.append((time.monotonic(), lit)))
+    taps.start()
+    time.sleep(1.5)
+    pulses = taps.stop()
+    assert len(pulses) >= 2 and (np.diff(pulses[:, 0]) > tapping.APART).all()
+    assert [lit for _, lit in shown[:4]] == [True, False, True, False]
+    assert (np.diff(pulses, axis=1) >= ON).all()
+
+
+def test_a_window_flashes_until_the_end_of_the_measurement(qtbot) -> None:
+    seen: list[str] = []
+
+    def colour(window: FlashWindow) -> str:
+        return window.grab().toImage().pixelColor(3, 3).name()
+
+    window = FlashWindow()
+    qtbot.addWidget(window)
+    window.show()
+    for lit in (False, True, False):
+        window.changed.emit(lit)
+        seen.append(colour(window))
+    assert seen == ["#000000", "#ffffff", "#000000"]
+    qtbot.keyClick(window, Qt.Key.Key_Escape)
+    assert window.ended.is_set() and window.isHidden()
+
+
+def test_the_measurement_runs_beside_the_window(qapp) -> None:
+    def measuring(screen: Callable[[bool], None], is_ended: Callable[[], bool]) -> int:
+        screen(True)
+        assert not is_ended() and threading.current_thread() is not threading.main_thread()
+        return 7
+
+    assert flash_while(measuring) == 7
+    with pytest.raises(ZeroDivisionError):
+        flash_while(lambda screen, is_ended: 1 // 0)
 
 
 def test_a_light_before_its_command_is_reported_as_wrong_times() -> None:
