@@ -66,7 +66,7 @@ class _Work(Generic[R]):
         self._measuring, self._window = measuring, window
         self._result: list[R] = []
         self._error: BaseException | None = None
-        self.thread = threading.Thread(target=self._run, name="loop-back screen")
+        self.thread = threading.Thread(target=self._run, name="glovetrack-loop-back")
 
     def _run(self) -> None:
         try:
