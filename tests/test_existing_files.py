@@ -11,7 +11,7 @@ import json
 import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import pytest
 
@@ -315,6 +315,29 @@ def test_what_exists_survives_without_force_and_is_replaced_with_it(
     run(*words, "--force", allowed=(0, 1))
     for name in set(names) - keep:
         assert (made / name).read_bytes() != OWN, f"{name} was not replaced"
+
+    if command in CONTRACTS:
+        CONTRACTS[command](json.loads((made / "j.json").read_text()))
+
+
+def _check_inertial(found: dict[str, Any]) -> None:
+    assert all(
+        {"series", "rate_hz", "t_m", "estimator", "rms_deg"} <= r.keys() for r in found["rows"]
+    )
+    assert found["rows"] and {"crossover_s", "cost_us", "broad"} <= found.keys()
+
+
+def _check_vist(found: dict[str, Any]) -> None:
+    (row,) = found["rows"]
+    keys = """experiment engine ablation level participants mean_mm sd_mm within_sd_mm
+        between_sd_mm
+        ci95_mm pck20 pck35 keypoints matched_mean wrong_match_rate nees_per_dof core_s_per_s
+        paper"""
+    assert set(keys.split()) <= row.keys()
+
+
+CONTRACTS = {"evaluate inertial": _check_inertial, "evaluate vist": _check_vist}
+"""What other programs read in the JSON of commands that are not in test_command_contract.py."""
 
 
 def _survives(command: str, sessions: Sessions, folder: Path, name: Path) -> None:

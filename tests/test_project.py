@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import functools
 import re
 import shlex
 import shutil
@@ -11,7 +12,7 @@ import tomllib
 from collections.abc import Callable
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
@@ -285,16 +286,43 @@ STARTS = {"Thread", "Timer", "Process", "ThreadPoolExecutor", "ProcessPoolExecut
 TIMES = {"time", "monotonic", "perf_counter", "process_time", "thread_time"}
 
 
-def names_used(path: Path) -> set[str]:
+class FileFacts(NamedTuple):
+    """Of one file of the product, which three tests ask for: it is parsed once."""
+
+    names: set[str]
+    deferred: list[tuple[int, bool]]
+    methods: dict[str, int]  # by class
+
+
+@functools.cache
+def product() -> dict[str, FileFacts]:
+    """By the file's name below the tree."""
+    folders = [ROOT / name for name in ("app", "extensions", "glovetrack", "tracker")]
+    files = [p for f in folders for p in sorted(f.rglob("*.py")) if "tests" not in p.parts]
+    return {p.relative_to(ROOT).as_posix(): file_facts(p.read_text("utf-8")) for p in files}
+
+
+def file_facts(text: str) -> FileFacts:
+    nodes = list(ast.walk(ast.parse(text)))
+    classes = [n for n in nodes if isinstance(n, ast.ClassDef)]
+    return FileFacts(
+        names_used(nodes),
+        deferred_imports(nodes, text.splitlines()),
+        {c.name: sum(isinstance(n, ast.FunctionDef) for n in c.body) for c in classes},
+    )
+
+
+def names_used(nodes: list[ast.AST]) -> set[str]:
     """``module.name`` of what a file takes from modules, however it imports them."""
-    tree, whole, parts = ast.parse(path.read_text("utf-8")), {}, {}
-    for node in ast.walk(tree):
+    whole: dict[str, str] = {}
+    parts: dict[str, str] = {}
+    for node in nodes:
         if isinstance(node, ast.Import):
             whole |= {a.asname or a.name: a.name for a in node.names}
         elif isinstance(node, ast.ImportFrom):
             parts |= {a.asname or a.name: f"{node.module}.{a.name}" for a in node.names}
-    used = {parts[n.id] for n in ast.walk(tree) if isinstance(n, ast.Name) and n.id in parts}
-    for node in ast.walk(tree):
+    used = {parts[n.id] for n in nodes if isinstance(n, ast.Name) and n.id in parts}
+    for node in nodes:
         if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
             owner = node.value.id
             used.add(f"{whole.get(owner, parts.get(owner, owner))}.{node.attr}")
@@ -314,10 +342,7 @@ def reads_clocks(names: set[str]) -> bool:
 def test_only_listed_modules_use_threads_and_clocks(
     does: Callable[[set[str]], bool], known: dict[str, str]
 ) -> None:
-    folders = [ROOT / name for name in ("app", "extensions", "glovetrack", "tracker")]
-    files = [p for f in folders for p in sorted(f.rglob("*.py")) if "tests" not in p.parts]
-    found = {p.relative_to(ROOT).as_posix() for p in files if does(names_used(p))}
-    assert found == set(known)
+    assert {name for name, found in product().items() if does(found.names)} == set(known)
 
 
 def test_no_file_contains_paths_of_its_authors_machine() -> None:
@@ -366,12 +391,11 @@ def test_the_architecture_page_names_every_part() -> None:
 MOST_DEFERRED_IMPORTS = 100
 
 
-def deferred_imports(path: Path) -> list[tuple[int, bool]]:
+def deferred_imports(nodes: list[ast.AST], lines: list[str]) -> list[tuple[int, bool]]:
     """Line of each import in a function, and whether a comment ``# deferred: why`` is on a line of
     its block of imports or on the line above."""
-    lines = path.read_text("utf-8").splitlines()
     found: dict[int, bool] = {}
-    for function in ast.walk(ast.parse("\n".join(lines))):
+    for function in nodes:
         if not isinstance(function, ast.FunctionDef | ast.AsyncFunctionDef):
             continue
         last, marked = 0, False
@@ -389,10 +413,9 @@ def deferred_imports(path: Path) -> list[tuple[int, bool]]:
 def test_imports_in_functions_are_few_and_have_a_reason() -> None:
     """Descriptors name their functions by `tracker.base.registry.deferred` instead."""
     count = 0
-    for path in (p for folder in ("app", "extensions", "glovetrack", "tracker")
-                 for p in (ROOT / folder).rglob("*.py") if "tests" not in p.parts):  # fmt: skip
-        for line, marked in deferred_imports(path):
-            assert marked, f"{path.relative_to(ROOT)}:{line}: write '# deferred: why'"
+    for path, found in product().items():
+        for line, marked in found.deferred:
+            assert marked, f"{path}:{line}: write '# deferred: why'"
             count += 1
     assert count <= MOST_DEFERRED_IMPORTS
 
@@ -401,9 +424,6 @@ MOST_METHODS = 20
 
 
 def test_no_class_has_more_methods_than_a_reader_can_follow() -> None:
-    for path in (p for folder in ("app", "extensions", "glovetrack", "tracker")
-                 for p in (ROOT / folder).rglob("*.py") if "tests" not in p.parts):  # fmt: skip
-        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
-            if isinstance(node, ast.ClassDef):
-                own = [n for n in node.body if isinstance(n, ast.FunctionDef)]
-                assert len(own) <= MOST_METHODS, f"{path.relative_to(ROOT)}: {node.name}"
+    for path, found in product().items():
+        for name, count in found.methods.items():
+            assert count <= MOST_METHODS, f"{path}: {name}"

@@ -118,7 +118,7 @@ def sessions(tmp_path_factory: pytest.TempPathFactory) -> Sessions:
 
 @pytest.fixture
 def ran(
-    sessions: Sessions, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    sessions: Sessions, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, workers_here: None
 ) -> Iterator[Callable[[str], None]]:
     """Runs a line in an empty folder, with the files a reader of the page has."""
     monkeypatch.chdir(tmp_path)

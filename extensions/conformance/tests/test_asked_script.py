@@ -29,8 +29,8 @@ from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 from tracker.vision.rig import default_pose, ideal_rig
 
-BEGIN = 8.0  # s of free motion before the script
-FPS = 20.0  # as the tests of the demo
+BEGIN = 3.0  # s of free motion before the script
+FPS = 15.0  # as the tests of the demo
 
 
 @pytest.mark.timeout(300)

@@ -50,7 +50,7 @@ def test_a_small_run_writes_rows_figures_and_a_page(tmp_path, capsys):
     target, out = tmp_path / "rows.json", tmp_path / "report"
     args = parse(
         "--engines", "chain,vist", "--experiments", "free", "--participants", "1",
-        "--minutes", "0.12", "--fps", "30", "--json", str(target), "--out", str(out),
+        "--minutes", "0.12", "--fps", "15", "--json", str(target), "--out", str(out),
     )  # fmt: skip
     assert args.command.start(args) == 0
     rows = json.loads(target.read_text())["rows"]
@@ -233,7 +233,7 @@ def test_a_usage_error_exits_with_two(words):
 
 
 def test_a_trial_is_the_same_whoever_runs_it():
-    case = Case("device", "vist", minutes=0.1, fps=30)
+    case = Case("device", "vist", minutes=0.1, fps=15)
     (here,) = run_cases([case], 1, processes=1)[0]
     (elsewhere,) = run_cases([case], 1, processes=2)[0]
     np.testing.assert_array_equal(here.error, elsewhere.error)
