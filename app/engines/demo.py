@@ -152,7 +152,7 @@ def _built_with(
 
     wearer = None
     if len(wearers) == 1:  # two wearers follow no guidance
-        wearer = GuidedWearer(lambda: first, send, t_0)
+        wearer = GuidedWearer(lambda: first, send, t_0, alone=spec.alone)
 
     def close() -> None:
         if wearer is not None:
@@ -284,9 +284,13 @@ class GuidedWearer:
     seconds to solve on a loaded computer, are solved in advance on another one.
     """
 
-    def __init__(self, simulation: Callable[[], Simulation], send: Send, t_0: float) -> None:
-        """``simulation`` is called when it is needed; ``t_0`` (s) is when its motion begins."""
+    def __init__(
+        self, simulation: Callable[[], Simulation], send: Send, t_0: float, alone: bool = False
+    ) -> None:
+        """``simulation`` is called when it is needed; ``t_0`` (s) is when its motion begins;
+        ``alone``: in a pinch, no finger bends but the one that it is named after."""
         self._simulation, self._send, self._t_0 = simulation, send, t_0
+        self._alone = alone
         self._held: HeldHand | None = None
         self._pinches: dict[str, Future[tuple[float, ...]]] = {}
         self._thread = ThreadPoolExecutor(1, "glovetrack-demo-guide")
@@ -325,7 +329,8 @@ class GuidedWearer:
     def _solve(self, name: str) -> tuple[float, ...]:
         """(J,) rad of a gesture."""
         simulation = self._simulation()
-        return tuple(gesture_angles(simulation.hand, name, simulation.wearer).tolist())
+        angles = gesture_angles(simulation.hand, name, simulation.wearer, self._alone)
+        return tuple(angles.tolist())
 
     def _gesture(self, name: str) -> tuple[float, ...]:
         pinch = self._pinches.get(name)

@@ -41,7 +41,8 @@ LENSES = ("both", "one", "none")
 class DemoChoice:
     """Images per second of the simulated camera, the hands in view (of `HANDS`), the motion of one
     hand (see `DemoSpec.motion`), the lenses of the camera (of `LENSES`), the scene behind one hand
-    (of `SCENES`), and the errors of the camera (see `errors_named`)."""
+    (of `SCENES`), the errors of the camera (see `errors_named`), and whether the wearer moves each
+    finger independently of the others in a pinch."""
 
     fps: float = FPS
     hands: str = "right"
@@ -49,6 +50,7 @@ class DemoChoice:
     lenses: str = "both"
     scene: str = "auto"
     camera_errors: str = "all"
+    independent_fingers: bool = False
 
     def has_desk(self, cores: int) -> bool:
         """Whether the hand is over a desk; ``cores`` of this computer decide for "auto"."""
@@ -96,6 +98,7 @@ def demo_spec(seed: int = SEED, choice: DemoChoice | None = None) -> DemoSpec:
         one_camera=choice.lenses != "both",
         camera_errors=errors_named(choice.camera_errors, choice.lenses != "both"),
         table=0.0 if choice.uses_application else TABLE,
+        alone=choice.independent_fingers,
     )
 
 

@@ -206,6 +206,7 @@ def _demo(options: WindowOptions) -> DemoChoice:
         options.lenses,
         options.scene,
         options.camera_errors,
+        options.independent_fingers,
     )
 
 

@@ -91,6 +91,10 @@ class WindowOptions:
             choices=SCENES,
         ),
     )
+    independent_fingers: bool = field(
+        default=False,
+        metadata=argument("in the demo, only the finger of a pinch bends, and no other"),
+    )
     headless_report: float | None = field(
         default=None,
         metadata=argument(

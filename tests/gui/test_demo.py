@@ -19,7 +19,7 @@ from extensions.conformance.take import BEAT, BEATS, SCRIPT
 from extensions.conformance.window.view_model import CuePhase, StepCue
 from tests.gui.gui_fakes import models, simulation
 from tracker.base.notices import failure
-from tracker.hand.names import MARKED_KEYPOINTS
+from tracker.hand.names import FINGERS, MARKED_KEYPOINTS
 from tracker.messages import Estimate, StereoFrame
 from tracker.session.reader import SessionReader
 from tracker.session.recover import needs_recovery
@@ -226,10 +226,10 @@ def reach(hand) -> float:
 def test_a_gesture_does_not_wait_for_pinches_that_are_solved_in_advance(monkeypatch):
     solve, may_solve, shown = demo_module.gesture_angles, threading.Event(), queue.Queue()
 
-    def slow(hand, name, wearer):
+    def slow(hand, name, wearer, alone):
         if name.startswith("pinch"):
             assert may_solve.wait(60.0)
-        return solve(hand, name, wearer)
+        return solve(hand, name, wearer, alone)
 
     monkeypatch.setattr(demo_module, "gesture_angles", slow)
 
@@ -246,6 +246,24 @@ def test_a_gesture_does_not_wait_for_pinches_that_are_solved_in_advance(monkeypa
     hand, person = simulation().hand, simulation().wearer
     reach = tip_distances(hand, np.array(angles), person)
     assert gesture == "pinch_ring" and min(reach, key=reach.get) == "ring"
+    wearer.close()
+
+
+def test_a_wearer_bends_one_finger_alone():
+    assert demo_spec(1, DemoChoice(independent_fingers=True)).alone and not demo_spec(1).alone
+    shown = queue.Queue()
+    wearer = demo_module.GuidedWearer(
+        simulation, lambda asked, gesture: shown.put(asked.angles), time.monotonic(), alone=True
+    )
+    hand, person = simulation().hand, simulation().wearer
+    bent = [hand.angle_index[f"{f}_{j}_flexion"] for f in FINGERS for j in ("mcp", "pip")]
+    for k, finger in ((2, "ring"), (3, "little")):
+        wearer.show_gesture(f"pinch_{finger}")
+        angles = np.array(shown.get(timeout=60.0))
+        others = np.delete(angles[bent], [2 * k, 2 * k + 1])
+        assert np.abs(others).max() < 1e-6 and np.abs(angles[bent][2 * k : 2 * k + 2]).min() > 0.3
+        reach = tip_distances(hand, angles, person)
+        assert reach[finger] < 0.02 and min(d for f, d in reach.items() if f != finger) > 0.05
     wearer.close()
 
 

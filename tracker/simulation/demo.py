@@ -63,6 +63,7 @@ class DemoSpec:
     right_late: float = 0.0  # s by which the right camera exposes after the left one
     table: float = 0.0  # m from the origin to the top of the table with the camera
     camera_errors: CameraErrors | None = None  # a ZED's, or with one lens those of a webcam
+    alone: bool = False  # the finger of a requested pinch bends, and no other
 
     @property
     def worn(self) -> tuple[HandTexts, ...]:

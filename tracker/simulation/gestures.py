@@ -106,10 +106,13 @@ class Gestures:
         return {name: gesture_angles(self._hand, name, self._wearer) for name in wanted}
 
 
-def gesture_angles(hand: HandModel, gesture: str, wearer: Wearer | None = None) -> Array:
-    """(J,) rad of a gesture: fist, grip, ``pinch_`` and a finger, else the open hand."""
+def gesture_angles(
+    hand: HandModel, gesture: str, wearer: Wearer | None = None, alone: bool = False
+) -> Array:
+    """(J,) rad of a gesture: fist, grip, ``pinch_`` and a finger, else the open hand; ``alone`` as
+    for `pinch`."""
     if gesture.startswith("pinch_"):
-        return pinch(hand, gesture.removeprefix("pinch_"), wearer)
+        return pinch(hand, gesture.removeprefix("pinch_"), wearer, alone)
     return posture(hand, {"fist": FIST, "grip": GRIP}.get(gesture, OPEN))
 
 
@@ -120,20 +123,22 @@ def _turning(t: Array, hold: float) -> Array:
     return minimum_jerk(t / MOVE + 1) * inside * (1 - minimum_jerk((t - hold) / MOVE))
 
 
-def pinch(hand: HandModel, finger: str, wearer: Wearer | None = None) -> Array:
+def pinch(hand: HandModel, finger: str, wearer: Wearer | None = None, alone: bool = False) -> Array:
     """(J,) rad as defined in the hand file: the thumb's tip at the tip of ``finger``, the other
     tips farther away.
 
-    Middle, ring and little finger bend together, by their synergies. The other tips are farther
-    away in the hand of the file, too: unsensed joints are inferred from it, so the wearer's pinch
-    must be equally clear.
+    Middle, ring and little finger bend together, by their synergies, unless the finger bends
+    ``alone``. The other tips are farther away in the hand of the file, too: unsensed joints are
+    inferred from it, so the wearer's pinch must be equally clear.
     """
     from scipy.optimize import minimize  # deferred: slow to load
 
     moved = [
         n for n in hand.joint_names if n.startswith("thumb_") and n not in _driven_angles(hand)
     ]
-    group = ("index",) if finger == "index" else FINGERS[1:]
+    group = (finger,) if alone or finger == "index" else FINGERS[1:]
+    others = posture(hand, OPEN if alone else {})
+    free = np.array([alone and n.split("_")[1] in ("cmc", "mcp", "pip") for n in hand.joint_names])
     bent = [f"{group[0]}_{joint}_flexion" for joint in ("mcp", "pip")]
     rows = [hand.angle_index[n] for n in (*moved, *bent)]
     limits = hand.angle_limits[rows]
@@ -142,7 +147,7 @@ def pinch(hand: HandModel, finger: str, wearer: Wearer | None = None) -> Array:
 
     def angles_of(x: Array) -> Array:
         given = dict(zip((*moved, *bent), x, strict=True))
-        out, known = np.zeros(len(hand.joint_names)), np.zeros(len(hand.joint_names), bool)
+        out, known = others.copy(), free.copy()
         for name, value in given.items():
             for one in (name.replace(group[0], f) for f in group) if name in bent else (name,):
                 out[hand.angle_index[one]], known[hand.angle_index[one]] = value, True

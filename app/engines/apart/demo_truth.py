@@ -10,7 +10,7 @@ from app.engines.apart.source import Companions
 from app.engines.demo import GuidedWearer, SimulatedTruth
 from app.engines.engine import Send
 from app.engines.protocols import ReferenceHand
-from tracker.simulation.demo import ask, build_scene, hands_of
+from tracker.simulation.demo import DemoSpec, ask, build_scene, hands_of
 from tracker.simulation.posture_requests import PostureRequest
 from tracker.simulation.scenario import Simulation
 
@@ -27,7 +27,7 @@ def companions_of(opened: Opened, send: Send) -> Companions:
         ask(scene.hand(sides[0]), asked)
         send(asked, pose)
 
-    wearer = GuidedWearer(lambda: scene.hand(sides[0]), send_both, opened.begins)
+    wearer = GuidedWearer(lambda: scene.hand(sides[0]), send_both, opened.begins, scene.alone)
     return Companions(wearer, truths, wearer.close)
 
 
@@ -36,16 +36,21 @@ class LaterScene:
 
     def __init__(self, spec: bytes) -> None:
         """``spec`` is the pickled `DemoSpec` of the process: files may have changed since."""
-        self._spec = spec
+        self._spec: DemoSpec = pickle.loads(spec)
         self._hands: dict[str, Simulation] = {}
         self._building = threading.Lock()
         self._thread: threading.Thread | None = None
+
+    @property
+    def alone(self) -> bool:
+        """Whether only the finger of a pinch bends."""
+        return self._spec.alone
 
     def hand(self, side: str) -> Simulation:
         """The hand of this side; waits until it is built."""
         with self._building:
             if not self._hands:
-                self._hands = hands_of(build_scene(pickle.loads(self._spec)))
+                self._hands = hands_of(build_scene(self._spec))
             return self._hands[side]
 
     def hand_if_built(self, side: str) -> Simulation | None:
