@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from extensions.applications.touch.meshes import load_mesh
-from extensions.conformance.isaac.reader import read_records
+from extensions.applications.touch.touch import load_mesh
+from extensions.conformance.run import read_records
 from extensions.conformance.take import read_labels
 from tests.notices import raises
 from tracker.base.errors import GlovetrackError

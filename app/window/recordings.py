@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from datetime import datetime
 from functools import partial
@@ -13,10 +14,10 @@ from PySide6.QtWidgets import QWidget
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.jobs.derived_sessions import recover_job
-from app.jobs.recording_check import check_job
 from app.panels.library.panel import LibraryPanel
 from app.panels.start_page import StartPage
-from app.platform.tasks import JobProgress, RunningJob, TaskOwner
+from app.platform.subprocess_job import run_in_subprocess
+from app.platform.tasks import Job, JobProgress, RunningJob, TaskOwner
 from app.storage.settings import SettingsStore, sessions_folder
 from app.storage.system_bin import Binned
 from app.viewmodels.recent import (
@@ -30,6 +31,7 @@ from app.viewmodels.recent import (
 )
 from app.viewmodels.recording_report import (
     HandNow,
+    HandReport,
     Missing,
     MissingWatch,
     RecordingReport,
@@ -40,6 +42,12 @@ from app.viewmodels.recording_report import (
 from app.widgets.banner import Action
 from app.widgets.question import question
 from app.window.message_bar import MessageBar
+from app.words import error_text, notice_text
+from tracker.base.errors import GlovetrackError
+from tracker.session.overview import HandShare, quality
+from tracker.session.reader import SessionReader
+from tracker.session.recover import needs_recovery
+from tracker.session.verify import verify
 
 ABOUT = "take"  # the topic of messages about missing data
 STARTING_MS = 2000  # after the start of an engine its rates are not meaningful yet
@@ -302,3 +310,41 @@ class RecentSessions(QObject):
         show = (self.tr("Show"), partial(self._library.replay.emit, path))
         export = (self.tr("Export…"), partial(self._library.ask_export_of, [path]))
         self._messages.say(text, show, export, good=True)
+
+
+# ---- checks a finished recording: whether it is complete, and how well it was tracked
+
+
+def check_job(path: Path) -> Job:
+    """A job that reads the whole file and returns its `RecordingReport`; in a subprocess, since the
+    hand is tracked at the same time."""
+
+    def run(progress: JobProgress) -> RecordingReport:
+        try:
+            report: RecordingReport = run_in_subprocess("check", partial(_report, path), progress)
+        except GlovetrackError as error:
+            return RecordingReport(path, error_text(error))
+        return report
+
+    return run
+
+
+def _report(path: Path, progress: Callable[..., None]) -> RecordingReport:
+    """Raises FileError if it cannot be read."""
+
+    findings = verify(path, progress)
+    errors = [f"{f.where}: {notice_text(f.what)}" for f in findings if f.severity == "error"]
+    with SessionReader(path) as reader:
+        q, duration = quality(reader), reader.duration
+        shares = q.hands or (HandShare(reader.info.side, q.tracked),)
+    problem = errors[0] if errors else ""
+    silent = {f.where: f.silence for f in findings}
+    camera = silent.get("/camera", 0.0)
+    hands = tuple(
+        HandReport(hand.side, hand.tracked, silent.get(f"/glove/{hand.side}", 0.0))
+        for hand in shares
+    )
+    cut_off = needs_recovery(path)
+    return RecordingReport(
+        path, problem, duration, q.packets_lost, q.by_imus, camera, hands, cut_off
+    )

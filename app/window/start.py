@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
+import socket
+import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from pathlib import Path
 
-from PySide6.QtCore import Qt, QTimer
-from PySide6.QtGui import QIcon
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtCore import QEventLoop, QProcess, Qt, QTimer
+from PySide6.QtGui import QCloseEvent, QIcon
+from PySide6.QtWidgets import QApplication, QLabel, QProgressBar, QPushButton, QVBoxLayout, QWidget
 
 from app.engines.apart.demo import DemoSource
 from app.engines.apart.process import EngineProcess
@@ -18,10 +22,8 @@ from app.engines.apart.setup import apart_factory
 from app.engines.apart.source import DeviceSource, Source
 from app.engines.demo_camera import DemoChoice, start_camera
 from app.panels.command_kind import CommandContext
-from app.platform.compiling import compile_before_start
 from app.platform.crash import CrashWatch, log_folder, log_to_file
 from app.platform.process_tuning import collection_postponed, tune_process
-from app.platform.screens import PLATFORM, has_screen
 from app.platform.single_instance import Instance, hand_over
 from app.platform.translation import install
 from app.storage.settings import SettingsStore
@@ -35,6 +37,7 @@ from tracker.base.command import UsageError
 from tracker.base.errors import ConfigError, GlovetrackError
 from tracker.base.notices import notice
 from tracker.base.toml_reader import read_text
+from tracker.kernels import parts, tools
 from tracker.streaming.connection import ConnectionSettings
 from tracker.streaming.registry import StreamSettings, with_streams
 from tracker.streaming.remote.registry import with_doors
@@ -225,3 +228,152 @@ def close_on_signals(window: QWidget) -> None:
 def use_offscreen() -> None:
     """Let Qt paint into memory."""
     os.environ[PLATFORM] = "offscreen"
+
+
+# ---- check for a screen before Qt is started: Qt ends the program without one
+
+PLATFORM = "QT_QPA_PLATFORM"
+TIMEOUT = 3.0  # s to connect to a screen on another computer
+X_PORT = 6000
+Address = tuple[str, int] | str
+"""Host and port, or the path of a local socket."""
+
+
+def answers(address: Address) -> bool:
+    """Whether a server listens at the address."""
+    family = socket.AF_UNIX if isinstance(address, str) else socket.AF_INET
+    try:
+        if not isinstance(address, str):
+            socket.create_connection(address, TIMEOUT).close()
+            return True
+        with socket.socket(family, socket.SOCK_STREAM) as line:
+            line.connect(address)
+        return True
+    except OSError:
+        return False
+
+
+def addresses(environment: Mapping[str, str]) -> Iterator[Address]:
+    """Addresses of the screens that the environment names."""
+    found = re.fullmatch(r"(?:(.*)/)?(.*):(\d+)(?:\.\d+)?", environment.get("DISPLAY", ""))
+    if found is not None:
+        _, host, number = found.groups()
+        if host in ("", "unix"):
+            yield f"/tmp/.X11-unix/X{number}"
+            yield f"\0/tmp/.X11-unix/X{number}"
+        else:
+            yield host.strip("[]"), X_PORT + int(number)
+    wayland = environment.get("WAYLAND_DISPLAY", "")
+    if wayland:
+        yield str(Path(environment.get("XDG_RUNTIME_DIR", "")) / wayland)
+
+
+def has_screen(
+    environment: Mapping[str, str] = os.environ,
+    system: str = sys.platform,
+    listens: Callable[[Address], bool] = answers,
+) -> bool:
+    """Whether Qt will find a screen, or is configured to run without one."""
+    if not system.startswith("linux"):
+        return True
+    platform = environment.get(PLATFORM, "").partition(":")[0]
+    if platform and not platform.startswith(("xcb", "wayland")):
+        return True
+    return any(listens(address) for address in addresses(environment))
+
+
+# ---- the progress window while kernels are compiled at the first start from source, and after an
+# update of it
+
+FOR_DEMO = "--for-demo"
+WIDTH_PX = 460
+NICE = 19  # the remaining kernels are compiled while the window is in use
+
+
+class CompilingWindow(QWidget):
+    """Shows a compiler's progress. Closes at its end, or when the user does not want to wait."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setWindowTitle(self.tr("Glovetrack – compiling"))
+        self.text = QLabel(
+            self.tr(
+                "Compiling the numerical kernels for this computer. This happens at the first "
+                "start, where it takes a minute or two on two cores, and after updates."
+            )
+        )
+        self.text.setWordWrap(True)
+        self.bar = QProgressBar()
+        self.bar.setRange(0, 0)
+        self.later = QPushButton(self.tr("Start without waiting"))
+        self.later.setToolTip(
+            self.tr(
+                "Kernels that are not compiled yet are compiled on first use, and the "
+                "window pauses."
+            )
+        )
+        self.later.clicked.connect(self.close)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.text)
+        layout.addWidget(self.bar)
+        layout.addWidget(self.later, alignment=Qt.AlignmentFlag.AlignRight)
+        self.setFixedWidth(WIDTH_PX)
+        self._output = ""
+        self._process = QProcess(self)
+        self._process.setProcessChannelMode(QProcess.ProcessChannelMode.MergedChannels)
+        self._process.readyReadStandardOutput.connect(self._read)
+        self._waiting = QEventLoop(self)
+        self._process.finished.connect(self._waiting.quit)
+        self._process.errorOccurred.connect(self._waiting.quit)
+
+    def run(self, command: list[str]) -> bool:
+        """Show the progress of the command; whether it succeeded."""
+        self.show()
+        self._process.start(command[0], command[1:])
+        self._waiting.exec()
+        ended = self._process.state() == QProcess.ProcessState.NotRunning
+        well = ended and self._process.exitStatus() == QProcess.ExitStatus.NormalExit
+        well = well and self._process.exitCode() == 0
+        if not ended:
+            self._process.kill()
+            self._process.waitForFinished()
+        elif not well:
+            print(self._output, file=sys.stderr)
+        self.hide()
+        return well
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        super().closeEvent(event)
+        self._waiting.quit()
+
+    def _read(self) -> None:
+        output = bytes(self._process.readAllStandardOutput().data()).decode(errors="replace")
+        self._output += output
+        print(output, end="", flush=True)
+        for line in self._output.splitlines():
+            far = tools.progress(line)
+            if far is not None:
+                self.bar.setRange(0, far[1])
+                self.bar.setValue(far[0])
+
+
+def compile_before_start(app: QApplication) -> None:
+    """If kernels were never compiled, or before an update of the source, compile them with a
+    progress window and start again.
+
+    Kernels that the demo does not need are compiled in the background afterwards. Does nothing if
+    the library is current, or if the user did not want to wait: numba then compiles kernels on
+    first use, and tracking stops meanwhile.
+    """
+    if not tools.are_wanted():
+        return
+    done = CompilingWindow().run(tools.command(FOR_DEMO))
+    app.processEvents()
+    if done:
+        subprocess.Popen(_nicely(tools.command()), stdout=subprocess.DEVNULL)
+        os.environ[parts.MODE] = "kept"  # once per start, even if a source has a time to come
+        os.execv(sys.executable, [sys.executable, *sys.orig_argv[1:]])
+
+
+def _nicely(command: list[str]) -> list[str]:
+    return ["nice", "-n", str(NICE), *command] if sys.platform != "win32" else command

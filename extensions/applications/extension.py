@@ -33,7 +33,7 @@ LISTENER = RemoteListenerKind(
     "applications",
     "Applications",
     deferred("extensions.applications.live:listener"),
-    proxy=deferred("extensions.applications.remote:ApplicationProxy"),
+    proxy=deferred("extensions.applications.live:ApplicationProxy"),
 )
 TOUCH = ApplicationKind(
     "touch",

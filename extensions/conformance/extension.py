@@ -29,7 +29,7 @@ STREAM = StreamKind(
 FORMAT = ExportFormat(
     "isaac",
     "Hand record of NVIDIA's Isaac tools (MCAP)",
-    deferred("extensions.conformance.export:export_isaac").load,
+    deferred("extensions.conformance.run:export_isaac").load,
     options=("rate", "start", "stop", "anonymous"),
     both_hands=True,
     order=180,

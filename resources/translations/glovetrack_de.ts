@@ -123,16 +123,6 @@
       <translation>{} wird exportiert</translation>
     </message>
     <message>
-      <location filename="app/jobs/library_scan.py" />
-      <source>Reading the library</source>
-      <translation>Bibliothek wird gelesen</translation>
-    </message>
-    <message>
-      <location filename="app/jobs/library_scan.py" />
-      <source>Reading session details</source>
-      <translation>Angaben zur Sitzung werden gelesen</translation>
-    </message>
-    <message>
       <location filename="app/jobs/motor_test.py" />
       <source>Motor {} shakes the IMUs (standard deviation):</source>
       <translation>Motor {} erschüttert die IMUs (Standardabweichung):</translation>
@@ -558,21 +548,6 @@
       <translation>Beleuchtungsprobleme, die Marker verbergen, und ihre Abhilfe</translation>
     </message>
     <message>
-      <location filename="app/panels/colours/image.py" />
-      <source>Mask</source>
-      <translation>Maske</translation>
-    </message>
-    <message>
-      <location filename="app/panels/colours/image.py" />
-      <source>Searching the image</source>
-      <translation>Bild wird durchsucht</translation>
-    </message>
-    <message>
-      <location filename="app/panels/colours/image.py" />
-      <source>Mask, image frozen</source>
-      <translation>Maske, Bild angehalten</translation>
-    </message>
-    <message>
       <location filename="app/panels/colours/panel.py" />
       <source>Restored the initial colours of this session.</source>
       <translation>Die anfänglichen Farben dieser Sitzung sind wiederhergestellt.</translation>
@@ -584,8 +559,23 @@
     </message>
     <message>
       <location filename="app/panels/colours/panel.py" />
+      <source>Mask</source>
+      <translation>Maske</translation>
+    </message>
+    <message>
+      <location filename="app/panels/colours/panel.py" />
+      <source>Searching the image</source>
+      <translation>Bild wird durchsucht</translation>
+    </message>
+    <message>
+      <location filename="app/panels/colours/panel.py" />
       <source>The factory colours do not match this glove.</source>
       <translation>Die mitgelieferten Farben passen nicht zu diesem Handschuh.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/colours/panel.py" />
+      <source>Mask, image frozen</source>
+      <translation>Maske, Bild angehalten</translation>
     </message>
     <message>
       <location filename="app/panels/colours/ranges.py" />
@@ -939,53 +929,43 @@
     </message>
     <message>
       <location filename="app/panels/devices/panel.py" />
-      <source>The motor was not run: the glove is disconnected.</source>
-      <translation>Der Motor lief nicht: Der Handschuh ist getrennt.</translation>
-    </message>
-    <message>
-      <location filename="app/panels/devices/tree.py" />
       <source>changed, not applied</source>
       <translation>geändert, nicht angewendet</translation>
     </message>
     <message>
-      <location filename="app/panels/devices/tree.py" />
+      <location filename="app/panels/devices/panel.py" />
+      <source>The motor was not run: the glove is disconnected.</source>
+      <translation>Der Motor lief nicht: Der Handschuh ist getrennt.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/devices/panel.py" />
       <source>Setting</source>
       <translation>Einstellung</translation>
     </message>
     <message>
-      <location filename="app/panels/devices/tree.py" />
+      <location filename="app/panels/devices/panel.py" />
       <source>Current value</source>
       <translation>Aktueller Wert</translation>
     </message>
     <message>
-      <location filename="app/panels/devices/tree.py" />
+      <location filename="app/panels/devices/panel.py" />
       <source>State</source>
       <translation>Zustand</translation>
     </message>
     <message>
-      <location filename="app/panels/devices/tree.py" />
+      <location filename="app/panels/devices/panel.py" />
       <source>Run</source>
       <translation>Ausführen</translation>
     </message>
     <message>
-      <location filename="app/panels/devices/tree.py" />
+      <location filename="app/panels/devices/panel.py" />
       <source>Run this motor for 0.8 s and measure its vibration</source>
       <translation>Diesen Motor 0,8 s laufen lassen und sein Vibrieren messen</translation>
     </message>
     <message>
-      <location filename="app/panels/devices/tree.py" />
+      <location filename="app/panels/devices/panel.py" />
       <source>automatic</source>
       <translation>automatisch</translation>
-    </message>
-    <message>
-      <location filename="app/panels/graphs/data.py" />
-      <source>Reading the recording's signals</source>
-      <translation>Signale der Aufnahme werden gelesen</translation>
-    </message>
-    <message>
-      <location filename="app/panels/graphs/data.py" />
-      <source>Reading the whole recording…</source>
-      <translation>Ganze Aufnahme wird gelesen…</translation>
     </message>
     <message>
       <location filename="app/panels/graphs/panel.py" />
@@ -1041,6 +1021,16 @@
       <location filename="app/panels/graphs/panel.py" />
       <source>Layouts</source>
       <translation>Layouts</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/panel.py" />
+      <source>Reading the recording's signals</source>
+      <translation>Signale der Aufnahme werden gelesen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/panel.py" />
+      <source>Reading the whole recording…</source>
+      <translation>Ganze Aufnahme wird gelesen…</translation>
     </message>
     <message>
       <location filename="app/panels/graphs/plot.py" />
@@ -1639,6 +1629,16 @@
     </message>
     <message>
       <location filename="app/panels/library/panel.py" />
+      <source>Reading the library</source>
+      <translation>Bibliothek wird gelesen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/panel.py" />
+      <source>Reading session details</source>
+      <translation>Angaben zur Sitzung werden gelesen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/panel.py" />
       <source>Select a session in the library to export it.</source>
       <translation>Eine Sitzung in der Bibliothek auswählen, um sie zu exportieren.</translation>
     </message>
@@ -2074,93 +2074,93 @@
     </message>
     <message>
       <location filename="app/panels/motion/panel.py" />
-      <source>Distances removed: {}.</source>
-      <translation>Abstände entfernt: {}.</translation>
-    </message>
-    <message>
-      <location filename="app/panels/motion/table.py" />
       <source>Angles and distances</source>
       <translation>Winkel und Abstände</translation>
     </message>
     <message>
-      <location filename="app/panels/motion/table.py" />
+      <location filename="app/panels/motion/panel.py" />
       <source>Distance from</source>
       <translation>Abstand von</translation>
     </message>
     <message>
-      <location filename="app/panels/motion/table.py" />
+      <location filename="app/panels/motion/panel.py" />
       <source>Distance to</source>
       <translation>Abstand zu</translation>
     </message>
     <message>
-      <location filename="app/panels/motion/table.py" />
+      <location filename="app/panels/motion/panel.py" />
       <source>Add this distance</source>
       <translation>Diesen Abstand hinzufügen</translation>
     </message>
     <message>
-      <location filename="app/panels/motion/table.py" />
+      <location filename="app/panels/motion/panel.py" />
       <source>Remove the selected distances</source>
       <translation>Ausgewählte Abstände entfernen</translation>
     </message>
     <message>
-      <location filename="app/panels/motion/table.py" />
+      <location filename="app/panels/motion/panel.py" />
       <source>Unit of angles</source>
       <translation>Einheit der Winkel</translation>
     </message>
     <message>
-      <location filename="app/panels/motion/table.py" />
+      <location filename="app/panels/motion/panel.py" />
       <source>Degrees</source>
       <translation>Grad</translation>
     </message>
     <message>
-      <location filename="app/panels/motion/table.py" />
+      <location filename="app/panels/motion/panel.py" />
       <source>Radians</source>
       <translation>Radiant</translation>
     </message>
     <message>
-      <location filename="app/panels/motion/table.py" />
+      <location filename="app/panels/motion/panel.py" />
       <source>Copy the table</source>
       <translation>Tabelle kopieren</translation>
     </message>
     <message>
-      <location filename="app/panels/motion/table.py" />
+      <location filename="app/panels/motion/panel.py" />
       <source>Save as CSV…</source>
       <translation>Als CSV speichern…</translation>
     </message>
     <message>
-      <location filename="app/panels/motion/table.py" />
+      <location filename="app/panels/motion/panel.py" />
       <source>Angle or distance</source>
       <translation>Winkel oder Abstand</translation>
     </message>
     <message>
-      <location filename="app/panels/motion/table.py" />
+      <location filename="app/panels/motion/panel.py" />
       <source>Now</source>
       <translation>Jetzt</translation>
     </message>
     <message>
-      <location filename="app/panels/motion/table.py" />
+      <location filename="app/panels/motion/panel.py" />
       <source>Position in range</source>
       <translation>Lage im Bereich</translation>
     </message>
     <message>
-      <location filename="app/panels/motion/table.py" />
+      <location filename="app/panels/motion/panel.py" />
       <source>Minimum</source>
       <translation>Minimum</translation>
     </message>
     <message>
-      <location filename="app/panels/motion/table.py" />
+      <location filename="app/panels/motion/panel.py" />
       <source>Maximum</source>
       <translation>Maximum</translation>
     </message>
     <message>
-      <location filename="app/panels/motion/table.py" />
+      <location filename="app/panels/motion/panel.py" />
       <source>Range</source>
       <translation>Umfang</translation>
     </message>
     <message>
-      <location filename="app/panels/motion/table.py" />
+      <location filename="app/panels/motion/panel.py" />
       <source>Peak speed / s</source>
       <translation>Höchstgeschwindigkeit / s</translation>
+    </message>
+    <message>
+      <location filename="app/panels/motion/panel.py" />
+      <source>Distances removed: {}.</source>
+      <translation>Abstände entfernt: {}.</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
@@ -2641,26 +2641,6 @@
       <location filename="app/platform/bug_report.py" />
       <source>the last {} s of the session that is open: sensor data and tracking, with camera images</source>
       <translation>die letzten {} s der offenen Sitzung: Sensordaten und Tracking, mit Kamerabildern</translation>
-    </message>
-    <message>
-      <location filename="app/platform/compiling.py" />
-      <source>Glovetrack – compiling</source>
-      <translation>Glovetrack – Kompilierung</translation>
-    </message>
-    <message>
-      <location filename="app/platform/compiling.py" />
-      <source>Compiling the numerical kernels for this computer. This happens at the first start, where it takes a minute or two on two cores, and after updates.</source>
-      <translation>Die numerischen Kernel werden für diesen Computer kompiliert. Das geschieht beim ersten Start, wo es auf zwei Kernen ein bis zwei Minuten dauert, und nach Aktualisierungen.</translation>
-    </message>
-    <message>
-      <location filename="app/platform/compiling.py" />
-      <source>Start without waiting</source>
-      <translation>Ohne Warten beginnen</translation>
-    </message>
-    <message>
-      <location filename="app/platform/compiling.py" />
-      <source>Kernels that are not compiled yet are compiled on first use, and the window pauses.</source>
-      <translation>Noch nicht übersetzte Rechenkerne werden bei der ersten Verwendung übersetzt; das Fenster hält dann an.</translation>
     </message>
     <message>
       <location filename="app/platform/crash.py" />
@@ -3805,71 +3785,6 @@ change {}: {}</source>
       <translation>Ein Diagramm hat höchstens {} Kurven. Fügen Sie ein weiteres hinzu.</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/guided_result.py" />
-      <source>thumb</source>
-      <translation>Daumen</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/guided_result.py" />
-      <source>index finger</source>
-      <translation>Zeigefinger</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/guided_result.py" />
-      <source>middle finger</source>
-      <translation>Mittelfinger</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/guided_result.py" />
-      <source>ring finger</source>
-      <translation>Ringfinger</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/guided_result.py" />
-      <source>little finger</source>
-      <translation>kleiner Finger</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/guided_result.py" />
-      <source>The end joint of your {} bends {:.0f}° more than estimated before.</source>
-      <translation>Das Endgelenk ({}) beugt sich {:.0f}° mehr als bisher geschätzt.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/guided_result.py" />
-      <source>The end joint of your {} bends {:.0f}° less than estimated before.</source>
-      <translation>Das Endgelenk ({}) beugt sich {:.0f}° weniger als bisher geschätzt.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/guided_result.py" />
-      <source>Your hand is {:.1f} mm longer than estimated before.</source>
-      <translation>Ihre Hand ist {:.1f} mm länger als bisher geschätzt.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/guided_result.py" />
-      <source>Your hand is {:.1f} mm shorter than estimated before.</source>
-      <translation>Ihre Hand ist {:.1f} mm kürzer als bisher geschätzt.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/guided_result.py" />
-      <source>Tip of the thumb, to the side</source>
-      <translation>Daumenspitze, zur Seite</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/guided_result.py" />
-      <source>Length of the hand</source>
-      <translation>Länge der Hand</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/guided_result.py" />
-      <source>End joint of the {}, straight</source>
-      <translation>Endgelenk ({}), gestreckt</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/guided_result.py" />
-      <source>End joint of the {}, bent</source>
-      <translation>Endgelenk {}, gebeugt</translation>
-    </message>
-    <message>
       <location filename="app/viewmodels/guided_words.py" />
       <source>Hold it: this finger has no sensor</source>
       <translation>Halten: Dieser Finger hat keinen Sensor</translation>
@@ -4001,6 +3916,51 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/guided_words.py" />
+      <source>thumb</source>
+      <translation>Daumen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>index finger</source>
+      <translation>Zeigefinger</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>middle finger</source>
+      <translation>Mittelfinger</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>ring finger</source>
+      <translation>Ringfinger</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>little finger</source>
+      <translation>kleiner Finger</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>The end joint of your {} bends {:.0f}° more than estimated before.</source>
+      <translation>Das Endgelenk ({}) beugt sich {:.0f}° mehr als bisher geschätzt.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>The end joint of your {} bends {:.0f}° less than estimated before.</source>
+      <translation>Das Endgelenk ({}) beugt sich {:.0f}° weniger als bisher geschätzt.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Your hand is {:.1f} mm longer than estimated before.</source>
+      <translation>Ihre Hand ist {:.1f} mm länger als bisher geschätzt.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Your hand is {:.1f} mm shorter than estimated before.</source>
+      <translation>Ihre Hand ist {:.1f} mm kürzer als bisher geschätzt.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
       <source>No data from the glove</source>
       <translation>Keine Daten vom Handschuh</translation>
     </message>
@@ -4025,6 +3985,26 @@ change {}: {}</source>
       <translation>Weiter</translation>
     </message>
     <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Tip of the thumb, to the side</source>
+      <translation>Daumenspitze, zur Seite</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Length of the hand</source>
+      <translation>Länge der Hand</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>End joint of the {}, straight</source>
+      <translation>Endgelenk ({}), gestreckt</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>End joint of the {}, bent</source>
+      <translation>Endgelenk {}, gebeugt</translation>
+    </message>
+    <message>
       <location filename="app/viewmodels/hand_scene.py" />
       <source>Position unknown. Orientation and finger angles from the IMUs only.</source>
       <translation>Position unbekannt. Ausrichtung und Fingerwinkel nur aus den IMUs.</translation>
@@ -4043,116 +4023,6 @@ change {}: {}</source>
       <location filename="app/viewmodels/hand_scene.py" />
       <source>Position lost. Showing the last known position.</source>
       <translation>Position verloren. Letzte bekannte Position wird gezeigt.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/imu_positions.py" />
-      <source>Palm down, hand level</source>
-      <translation>Handfläche nach unten, Hand waagerecht</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/imu_positions.py" />
-      <source>Palm down, fingers raised by 45°</source>
-      <translation>Handfläche nach unten, Finger um 45° angehoben</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/imu_positions.py" />
-      <source>Fingers straight up</source>
-      <translation>Finger senkrecht nach oben</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/imu_positions.py" />
-      <source>Palm up, fingers raised by 45°</source>
-      <translation>Handfläche nach oben, Finger um 45° angehoben</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/imu_positions.py" />
-      <source>Palm up, hand level</source>
-      <translation>Handfläche nach oben, Hand waagerecht</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/imu_positions.py" />
-      <source>Hand on its edge, thumb up</source>
-      <translation>Hand auf der Kante, Daumen nach oben</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/imu_positions.py" />
-      <source>Hand on its edge, thumb up, fingers raised by 45°</source>
-      <translation>Hand auf der Kante, Daumen nach oben, Finger um 45° angehoben</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/imu_positions.py" />
-      <source>Palm down, thumb side raised by 45°</source>
-      <translation>Handfläche nach unten, Daumenseite um 45° angehoben</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/imu_positions.py" />
-      <source>Palm down, little finger side raised by 45°</source>
-      <translation>Handfläche nach unten, Kleinfingerseite um 45° angehoben</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/imu_positions.py" />
-      <source>Hand on its edge, thumb down</source>
-      <translation>Hand auf der Kante, Daumen nach unten</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/imu_positions.py" />
-      <source>Palm down, fingers lowered by 45°</source>
-      <translation>Handfläche nach unten, Finger um 45° gesenkt</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/imu_positions.py" />
-      <source>Fingers straight down</source>
-      <translation>Finger senkrecht nach unten</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/imu_positions.py" />
-      <source>Repeat the positions, and hold each one still for two seconds.</source>
-      <translation>Wiederholen Sie die Lagen, und halten Sie in jeder zwei Sekunden still.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/imu_positions.py" />
-      <source>Move there, then hold still</source>
-      <translation>Diese Lage einnehmen und stillhalten</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/imu_positions.py" />
-      <source>{} of {} IMUs measured</source>
-      <translation>{} von {} IMUs gemessen</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/imu_positions.py" />
-      <source>Scale and axes deviate by up to {} %. With the corrections {} % remain (standard deviation). Save writes them to the glove file {} and uses them at once.</source>
-      <translation>Skalierung und Achsen weichen um bis zu {} % ab. Mit den Korrekturen bleiben {} % (Standardabweichung). „Speichern“ schreibt sie in die Handschuhdatei {} und wendet sie sofort an.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/imu_positions.py" />
-      <source>{} % ± {} %</source>
-      <translation>{} % ± {} %</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/imu_positions.py" />
-      <source>not accurate: it moved while at rest, or rested in too few positions</source>
-      <translation>ungenau: Bewegung in Ruhe oder zu wenige Lagen</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/imu_positions.py" />
-      <source>Hold still</source>
-      <translation>Stillhalten</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/imu_positions.py" />
-      <source>Measured. Next position</source>
-      <translation>Gemessen. Nächste Lage</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/imu_positions.py" />
-      <source>At rest in another position</source>
-      <translation>Die Hand ruht in einer anderen Lage</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/imu_positions.py" />
-      <source>too few rests</source>
-      <translation>zu wenige Ruhelagen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/library.py" />
@@ -5380,16 +5250,6 @@ change {}: {}</source>
       <translation>Schließen</translation>
     </message>
     <message>
-      <location filename="app/widgets/command_palette.py" />
-      <source>Type a command</source>
-      <translation>Befehl eingeben</translation>
-    </message>
-    <message>
-      <location filename="app/widgets/coverage_map.py" />
-      <source>{} empty cells</source>
-      <translation>Leere Felder: {}</translation>
-    </message>
-    <message>
       <location filename="app/widgets/image_view.py" />
       <source>Wheel or + −: zoom. Drag or arrows: move. Double-click or 0: whole image.</source>
       <translation>Mausrad oder + −: Zoom. Ziehen oder Pfeile: verschieben. Doppelklick oder 0: ganzes Bild.</translation>
@@ -5543,6 +5403,11 @@ change {}: {}</source>
       <location filename="app/window/dialogs.py" />
       <source>Hand tracking with a sensor glove and a stereo camera. Free software under the Apache License 2.0, without any warranty.</source>
       <translation>Handtracking mit Sensorhandschuh und Stereokamera. Freie Software unter der Apache-Lizenz 2.0, ohne jede Gewähr.</translation>
+    </message>
+    <message>
+      <location filename="app/window/dialogs.py" />
+      <source>Type a command</source>
+      <translation>Befehl eingeben</translation>
     </message>
     <message>
       <location filename="app/window/dialogs.py" />
@@ -5831,6 +5696,41 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/set_up_dialogs.py" />
+      <source>Pose reset</source>
+      <translation>Pose zurücksetzen</translation>
+    </message>
+    <message>
+      <location filename="app/window/set_up_dialogs.py" />
+      <source>&amp;Beep when it is done</source>
+      <translation>&amp;Signalton danach</translation>
+    </message>
+    <message>
+      <location filename="app/window/set_up_dialogs.py" />
+      <source>&amp;Double tap on the back of the glove</source>
+      <translation>&amp;Doppeltes Tippen auf den Handrücken</translation>
+    </message>
+    <message>
+      <location filename="app/window/set_up_dialogs.py" />
+      <source>Two quick taps, with the hand at rest before and after</source>
+      <translation>Zwei schnelle Tipper, die Hand davor und danach in Ruhe</translation>
+    </message>
+    <message>
+      <location filename="app/window/set_up_dialogs.py" />
+      <source>Hold the hand flat and level, fingers straight ahead. The reset aligns the finger joints with that pose, and without a camera the heading, too.</source>
+      <translation>Halten Sie die Hand flach und waagerecht, die Finger gerade nach vorn. Das Zurücksetzen richtet die Fingergelenke nach dieser Pose aus, ohne Kamera auch die Richtung.</translation>
+    </message>
+    <message>
+      <location filename="app/window/set_up_dialogs.py" />
+      <source>&amp;Save</source>
+      <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+      <location filename="app/window/set_up_dialogs.py" />
+      <source>{} is already assigned to “{}”. Choose another key.</source>
+      <translation>{} ist bereits mit „{}“ belegt. Eine andere Taste wählen.</translation>
+    </message>
+    <message>
+      <location filename="app/window/set_up_dialogs.py" />
       <source>Looking for cameras</source>
       <translation>Kameras werden gesucht</translation>
     </message>
@@ -5838,6 +5738,16 @@ change {}: {}</source>
       <location filename="app/window/set_up_dialogs.py" />
       <source>Only the engine chain learns from poses. Choose it in the Tracking menu.</source>
       <translation>Nur das Verfahren chain lernt aus Posen. Im Menü Tracking wählen.</translation>
+    </message>
+    <message>
+      <location filename="app/window/set_up_dialogs.py" />
+      <source>&amp;Key</source>
+      <translation>&amp;Taste</translation>
+    </message>
+    <message>
+      <location filename="app/window/set_up_dialogs.py" />
+      <source>&amp;Countdown</source>
+      <translation>&amp;Countdown</translation>
     </message>
     <message>
       <location filename="app/window/sources.py" />
@@ -5888,6 +5798,26 @@ change {}: {}</source>
       <location filename="app/window/sources.py" />
       <source>{} cannot be opened during a recording.</source>
       <translation>{} lässt sich während einer Aufnahme nicht öffnen.</translation>
+    </message>
+    <message>
+      <location filename="app/window/start.py" />
+      <source>Glovetrack – compiling</source>
+      <translation>Glovetrack – Kompilierung</translation>
+    </message>
+    <message>
+      <location filename="app/window/start.py" />
+      <source>Compiling the numerical kernels for this computer. This happens at the first start, where it takes a minute or two on two cores, and after updates.</source>
+      <translation>Die numerischen Kernel werden für diesen Computer kompiliert. Das geschieht beim ersten Start, wo es auf zwei Kernen ein bis zwei Minuten dauert, und nach Aktualisierungen.</translation>
+    </message>
+    <message>
+      <location filename="app/window/start.py" />
+      <source>Start without waiting</source>
+      <translation>Ohne Warten beginnen</translation>
+    </message>
+    <message>
+      <location filename="app/window/start.py" />
+      <source>Kernels that are not compiled yet are compiled on first use, and the window pauses.</source>
+      <translation>Noch nicht übersetzte Rechenkerne werden bei der ersten Verwendung übersetzt; das Fenster hält dann an.</translation>
     </message>
     <message>
       <location filename="app/window/status_bar.py" />
@@ -6955,54 +6885,74 @@ change {}: {}</source>
       <translation>{} % der Zeit gehalten</translation>
     </message>
     <message>
-      <location filename="app/wizards/pose_reset.py" />
-      <source>Pose reset</source>
-      <translation>Pose zurücksetzen</translation>
+      <location filename="app/wizards/positions.py" />
+      <source>Palm down, hand level</source>
+      <translation>Handfläche nach unten, Hand waagerecht</translation>
     </message>
     <message>
-      <location filename="app/wizards/pose_reset.py" />
-      <source>&amp;Beep when it is done</source>
-      <translation>&amp;Signalton danach</translation>
+      <location filename="app/wizards/positions.py" />
+      <source>Palm down, fingers raised by 45°</source>
+      <translation>Handfläche nach unten, Finger um 45° angehoben</translation>
     </message>
     <message>
-      <location filename="app/wizards/pose_reset.py" />
-      <source>&amp;Double tap on the back of the glove</source>
-      <translation>&amp;Doppeltes Tippen auf den Handrücken</translation>
+      <location filename="app/wizards/positions.py" />
+      <source>Fingers straight up</source>
+      <translation>Finger senkrecht nach oben</translation>
     </message>
     <message>
-      <location filename="app/wizards/pose_reset.py" />
-      <source>Two quick taps, with the hand at rest before and after</source>
-      <translation>Zwei schnelle Tipper, die Hand davor und danach in Ruhe</translation>
+      <location filename="app/wizards/positions.py" />
+      <source>Palm up, fingers raised by 45°</source>
+      <translation>Handfläche nach oben, Finger um 45° angehoben</translation>
     </message>
     <message>
-      <location filename="app/wizards/pose_reset.py" />
-      <source>Hold the hand flat and level, fingers straight ahead. The reset aligns the finger joints with that pose, and without a camera the heading, too.</source>
-      <translation>Halten Sie die Hand flach und waagerecht, die Finger gerade nach vorn. Das Zurücksetzen richtet die Fingergelenke nach dieser Pose aus, ohne Kamera auch die Richtung.</translation>
+      <location filename="app/wizards/positions.py" />
+      <source>Palm up, hand level</source>
+      <translation>Handfläche nach oben, Hand waagerecht</translation>
     </message>
     <message>
-      <location filename="app/wizards/pose_reset.py" />
-      <source>&amp;Save</source>
-      <translation>&amp;Speichern</translation>
+      <location filename="app/wizards/positions.py" />
+      <source>Hand on its edge, thumb up</source>
+      <translation>Hand auf der Kante, Daumen nach oben</translation>
     </message>
     <message>
-      <location filename="app/wizards/pose_reset.py" />
-      <source>{} is already assigned to “{}”. Choose another key.</source>
-      <translation>{} ist bereits mit „{}“ belegt. Eine andere Taste wählen.</translation>
+      <location filename="app/wizards/positions.py" />
+      <source>Hand on its edge, thumb up, fingers raised by 45°</source>
+      <translation>Hand auf der Kante, Daumen nach oben, Finger um 45° angehoben</translation>
     </message>
     <message>
-      <location filename="app/wizards/pose_reset.py" />
-      <source>&amp;Key</source>
-      <translation>&amp;Taste</translation>
+      <location filename="app/wizards/positions.py" />
+      <source>Palm down, thumb side raised by 45°</source>
+      <translation>Handfläche nach unten, Daumenseite um 45° angehoben</translation>
     </message>
     <message>
-      <location filename="app/wizards/pose_reset.py" />
-      <source>&amp;Countdown</source>
-      <translation>&amp;Countdown</translation>
+      <location filename="app/wizards/positions.py" />
+      <source>Palm down, little finger side raised by 45°</source>
+      <translation>Handfläche nach unten, Kleinfingerseite um 45° angehoben</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions.py" />
+      <source>Hand on its edge, thumb down</source>
+      <translation>Hand auf der Kante, Daumen nach unten</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions.py" />
+      <source>Palm down, fingers lowered by 45°</source>
+      <translation>Handfläche nach unten, Finger um 45° gesenkt</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions.py" />
+      <source>Fingers straight down</source>
+      <translation>Finger senkrecht nach unten</translation>
     </message>
     <message>
       <location filename="app/wizards/positions.py" />
       <source>Evaluating the positions</source>
       <translation>Lagen werden ausgewertet</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions.py" />
+      <source>Repeat the positions, and hold each one still for two seconds.</source>
+      <translation>Wiederholen Sie die Lagen, und halten Sie in jeder zwei Sekunden still.</translation>
     </message>
     <message>
       <location filename="app/wizards/positions.py" />
@@ -7056,6 +7006,31 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/positions.py" />
+      <source>Move there, then hold still</source>
+      <translation>Diese Lage einnehmen und stillhalten</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions.py" />
+      <source>{} of {} IMUs measured</source>
+      <translation>{} von {} IMUs gemessen</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions.py" />
+      <source>Scale and axes deviate by up to {} %. With the corrections {} % remain (standard deviation). Save writes them to the glove file {} and uses them at once.</source>
+      <translation>Skalierung und Achsen weichen um bis zu {} % ab. Mit den Korrekturen bleiben {} % (Standardabweichung). „Speichern“ schreibt sie in die Handschuhdatei {} und wendet sie sofort an.</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions.py" />
+      <source>{} % ± {} %</source>
+      <translation>{} % ± {} %</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions.py" />
+      <source>not accurate: it moved while at rest, or rested in too few positions</source>
+      <translation>ungenau: Bewegung in Ruhe oder zu wenige Lagen</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions.py" />
       <source>Rest the glove in twelve positions</source>
       <translation>Den Handschuh in zwölf Lagen ruhen lassen</translation>
     </message>
@@ -7063,6 +7038,26 @@ change {}: {}</source>
       <location filename="app/wizards/positions.py" />
       <source>Gravity shows how accurate scale and axes of the IMUs are. Wear the glove and support the hand on a table, or fasten the glove to a box. Hold each position still for two seconds. Any order is possible. It takes two minutes.</source>
       <translation>Die Schwerkraft zeigt, wie genau Skalierung und Achsen der IMUs sind. Tragen Sie den Handschuh und stützen Sie die Hand auf einen Tisch, oder befestigen Sie den Handschuh an einer Schachtel. Halten Sie jede Lage zwei Sekunden lang ruhig. Die Reihenfolge ist beliebig. Es dauert zwei Minuten.</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions.py" />
+      <source>Hold still</source>
+      <translation>Stillhalten</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions.py" />
+      <source>Measured. Next position</source>
+      <translation>Gemessen. Nächste Lage</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions.py" />
+      <source>At rest in another position</source>
+      <translation>Die Hand ruht in einer anderen Lage</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/positions.py" />
+      <source>too few rests</source>
+      <translation>zu wenige Ruhelagen</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
@@ -7180,51 +7175,6 @@ change {}: {}</source>
       <translation>Gewählte Kamera: {}</translation>
     </message>
     <message>
-      <location filename="app/wizards/stereo/import_form.py" />
-      <source>ZED factory file</source>
-      <translation>ZED-Werksdatei</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/stereo/import_form.py" />
-      <source>OpenCV calibration</source>
-      <translation>OpenCV-Kalibrierung</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/stereo/import_form.py" />
-      <source>Folder with left and right images</source>
-      <translation>Ordner mit linken und rechten Bildern</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/stereo/import_form.py" />
-      <source>squares of the board</source>
-      <translation>Felder der Tafel</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/stereo/import_form.py" />
-      <source>Image's &amp;width, px</source>
-      <translation>Bild&amp;breite, px</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/stereo/import_form.py" />
-      <source>Image's &amp;height, px</source>
-      <translation>Bild&amp;höhe, px</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/stereo/import_form.py" />
-      <source>&amp;Unit of T in the file</source>
-      <translation>&amp;Einheit von T in der Datei</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/stereo/import_form.py" />
-      <source>Side of a &amp;square</source>
-      <translation>&amp;Seite eines Feldes</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/stereo/import_form.py" />
-      <source>Import {}</source>
-      <translation>{} importieren</translation>
-    </message>
-    <message>
       <location filename="app/wizards/stereo/result.py" />
       <source>Calibrated. Now check it on new views.</source>
       <translation>Kalibriert. Jetzt an neuen Ansichten prüfen.</translation>
@@ -7315,6 +7265,31 @@ change {}: {}</source>
       <translation>Das Bild hat eine andere Größe.</translation>
     </message>
     <message>
+      <location filename="app/wizards/stereo/views.py" />
+      <source>{} empty cells</source>
+      <translation>Leere Felder: {}</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/stereo/wizard.py" />
+      <source>ZED factory file</source>
+      <translation>ZED-Werksdatei</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/stereo/wizard.py" />
+      <source>OpenCV calibration</source>
+      <translation>OpenCV-Kalibrierung</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/stereo/wizard.py" />
+      <source>Folder with left and right images</source>
+      <translation>Ordner mit linken und rechten Bildern</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/stereo/wizard.py" />
+      <source>squares of the board</source>
+      <translation>Felder der Tafel</translation>
+    </message>
+    <message>
       <location filename="app/wizards/stereo/wizard.py" />
       <source>Closing the camera</source>
       <translation>Kamera wird geschlossen</translation>
@@ -7346,6 +7321,26 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/stereo/wizard.py" />
+      <source>Image's &amp;width, px</source>
+      <translation>Bild&amp;breite, px</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/stereo/wizard.py" />
+      <source>Image's &amp;height, px</source>
+      <translation>Bild&amp;höhe, px</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/stereo/wizard.py" />
+      <source>&amp;Unit of T in the file</source>
+      <translation>&amp;Einheit von T in der Datei</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/stereo/wizard.py" />
+      <source>Side of a &amp;square</source>
+      <translation>&amp;Seite eines Feldes</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/stereo/wizard.py" />
       <source>Checked on every third image of the folder.</source>
       <translation>An jedem dritten Bild des Ordners geprüft.</translation>
     </message>
@@ -7353,6 +7348,11 @@ change {}: {}</source>
       <location filename="app/wizards/stereo/wizard.py" />
       <source>checked: {:.3f} px</source>
       <translation>geprüft: {:.3f} px</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/stereo/wizard.py" />
+      <source>Import {}</source>
+      <translation>{} importieren</translation>
     </message>
     <message>
       <location filename="extensions/applications/window/extension.py" />
@@ -8251,6 +8251,91 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/reference/window/import_dialog.py" />
+      <source>none: points are found by their names</source>
+      <translation>keine: Punkte werden an ihren Namen erkannt</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>Time alignment</source>
+      <translation>Zeitabgleich</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>all events; or their name, or a C3D channel</source>
+      <translation>alle Ereignisse; oder ihr Name oder ein C3D-Kanal</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>Estimate the drift of the clocks</source>
+      <translation>Drift der Uhren schätzen</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>Registration</source>
+      <translation>Registrierung</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>Template…</source>
+      <translation>Vorlage…</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>Write a mapping file with the points of this reference, and open it</source>
+      <translation>Eine Zuordnungsdatei mit den Punkten dieser Referenz schreiben und öffnen</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>Recording:</source>
+      <translation>Aufnahme:</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>&amp;Hand:</source>
+      <translation>&amp;Hand:</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>&amp;Reference file:</source>
+      <translation>&amp;Referenzdatei:</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>&amp;Mapping file:</source>
+      <translation>Z&amp;uordnungsdatei:</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>&amp;Time alignment:</source>
+      <translation>&amp;Zeitabgleich:</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>&amp;Pulses:</source>
+      <translation>&amp;Pulse:</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>&amp;Start of the reference:</source>
+      <translation>&amp;Beginn der Referenz:</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>Re&amp;gistration:</source>
+      <translation>Re&amp;gistrierung:</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>Reference file</source>
+      <translation>Referenzdatei</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>Mapping file</source>
+      <translation>Zuordnungsdatei</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
       <source>Residual, rigid (mm)</source>
       <translation>Residuum, starr (mm)</translation>
     </message>
@@ -8281,6 +8366,21 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/reference/window/import_dialog.py" />
+      <source>from the file; or {}</source>
+      <translation>aus der Datei; oder {}</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>Motion-capture recordings ({})</source>
+      <translation>Motion-Capture-Aufnahmen ({})</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
+      <source>Mapping files ({})</source>
+      <translation>Zuordnungsdateien ({})</translation>
+    </message>
+    <message>
+      <location filename="extensions/reference/window/import_dialog.py" />
       <source>Writing {}</source>
       <translation>{} wird geschrieben</translation>
     </message>
@@ -8290,107 +8390,7 @@ change {}: {}</source>
       <translation>Importiert in {}.</translation>
     </message>
     <message>
-      <location filename="extensions/reference/window/import_form.py" />
-      <source>none: points are found by their names</source>
-      <translation>keine: Punkte werden an ihren Namen erkannt</translation>
-    </message>
-    <message>
-      <location filename="extensions/reference/window/import_form.py" />
-      <source>Time alignment</source>
-      <translation>Zeitabgleich</translation>
-    </message>
-    <message>
-      <location filename="extensions/reference/window/import_form.py" />
-      <source>all events; or their name, or a C3D channel</source>
-      <translation>alle Ereignisse; oder ihr Name oder ein C3D-Kanal</translation>
-    </message>
-    <message>
-      <location filename="extensions/reference/window/import_form.py" />
-      <source>Estimate the drift of the clocks</source>
-      <translation>Drift der Uhren schätzen</translation>
-    </message>
-    <message>
-      <location filename="extensions/reference/window/import_form.py" />
-      <source>Registration</source>
-      <translation>Registrierung</translation>
-    </message>
-    <message>
-      <location filename="extensions/reference/window/import_form.py" />
-      <source>Template…</source>
-      <translation>Vorlage…</translation>
-    </message>
-    <message>
-      <location filename="extensions/reference/window/import_form.py" />
-      <source>Write a mapping file with the points of this reference, and open it</source>
-      <translation>Eine Zuordnungsdatei mit den Punkten dieser Referenz schreiben und öffnen</translation>
-    </message>
-    <message>
-      <location filename="extensions/reference/window/import_form.py" />
-      <source>Recording:</source>
-      <translation>Aufnahme:</translation>
-    </message>
-    <message>
-      <location filename="extensions/reference/window/import_form.py" />
-      <source>&amp;Hand:</source>
-      <translation>&amp;Hand:</translation>
-    </message>
-    <message>
-      <location filename="extensions/reference/window/import_form.py" />
-      <source>&amp;Reference file:</source>
-      <translation>&amp;Referenzdatei:</translation>
-    </message>
-    <message>
-      <location filename="extensions/reference/window/import_form.py" />
-      <source>&amp;Mapping file:</source>
-      <translation>Z&amp;uordnungsdatei:</translation>
-    </message>
-    <message>
-      <location filename="extensions/reference/window/import_form.py" />
-      <source>&amp;Time alignment:</source>
-      <translation>&amp;Zeitabgleich:</translation>
-    </message>
-    <message>
-      <location filename="extensions/reference/window/import_form.py" />
-      <source>&amp;Pulses:</source>
-      <translation>&amp;Pulse:</translation>
-    </message>
-    <message>
-      <location filename="extensions/reference/window/import_form.py" />
-      <source>&amp;Start of the reference:</source>
-      <translation>&amp;Beginn der Referenz:</translation>
-    </message>
-    <message>
-      <location filename="extensions/reference/window/import_form.py" />
-      <source>Re&amp;gistration:</source>
-      <translation>Re&amp;gistrierung:</translation>
-    </message>
-    <message>
-      <location filename="extensions/reference/window/import_form.py" />
-      <source>Reference file</source>
-      <translation>Referenzdatei</translation>
-    </message>
-    <message>
-      <location filename="extensions/reference/window/import_form.py" />
-      <source>Mapping file</source>
-      <translation>Zuordnungsdatei</translation>
-    </message>
-    <message>
-      <location filename="extensions/reference/window/import_form.py" />
-      <source>from the file; or {}</source>
-      <translation>aus der Datei; oder {}</translation>
-    </message>
-    <message>
-      <location filename="extensions/reference/window/import_form.py" />
-      <source>Motion-capture recordings ({})</source>
-      <translation>Motion-Capture-Aufnahmen ({})</translation>
-    </message>
-    <message>
-      <location filename="extensions/reference/window/import_form.py" />
-      <source>Mapping files ({})</source>
-      <translation>Zuordnungsdateien ({})</translation>
-    </message>
-    <message>
-      <location filename="extensions/reference/window/import_form.py" />
+      <location filename="extensions/reference/window/import_dialog.py" />
       <source>All files</source>
       <translation>Alle Dateien</translation>
     </message>
@@ -8470,84 +8470,9 @@ change {}: {}</source>
       <translation>Es fehlen: {}.</translation>
     </message>
     <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>Drive a simulated robot hand with the tracked hand</source>
-      <translation>Eine simulierte Roboterhand mit der getrackten Hand steuern</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>Clutch</source>
-      <translation>Kupplung</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>Return the robot and the objects to their initial poses</source>
-      <translation>Roboter und Gegenstände in die Anfangslage bringen</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
+      <location filename="extensions/robot/window/extension.py" />
       <source>Robot hand</source>
       <translation>Roboterhand</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>From a file…</source>
-      <translation>Aus einer Datei…</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>Fingers</source>
-      <translation>Finger</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>Show which links are the robot's fingertips</source>
-      <translation>Zeigt, welche Glieder die Fingerspitzen des Roboters sind</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>Motion scale</source>
-      <translation>Bewegungsmaßstab</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>Distance the robot's palm moves per distance of the hand</source>
-      <translation>Weg der Roboterhand je Weg der Hand</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>Clutch gesture</source>
-      <translation>Kupplungsgeste</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>UDP port for robot states</source>
-      <translation>UDP-Port für Roboterzustände</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>Send the robot's joint states as JSON to this local port</source>
-      <translation>Gelenkzustände des Roboters als JSON an diesen lokalen Port senden</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>UDP port</source>
-      <translation>UDP-Port</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>Open robot hand</source>
-      <translation>Roboterhand öffnen</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>Robot models (*.xml *.mjcf *.urdf)</source>
-      <translation>Robotermodelle (*.xml *.mjcf *.urdf)</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>On: the robot follows the hand. Off: it holds its pose ({})</source>
-      <translation>Ein: Der Roboter folgt der Hand. Aus: Er hält seine Pose ({})</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/finger_table.py" />
@@ -8618,6 +8543,81 @@ change {}: {}</source>
       <location filename="extensions/robot/window/finger_table.py" />
       <source>{} mm</source>
       <translation>{} mm</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/panel.py" />
+      <source>Drive a simulated robot hand with the tracked hand</source>
+      <translation>Eine simulierte Roboterhand mit der getrackten Hand steuern</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/panel.py" />
+      <source>Clutch</source>
+      <translation>Kupplung</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/panel.py" />
+      <source>Return the robot and the objects to their initial poses</source>
+      <translation>Roboter und Gegenstände in die Anfangslage bringen</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/panel.py" />
+      <source>From a file…</source>
+      <translation>Aus einer Datei…</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/panel.py" />
+      <source>Fingers</source>
+      <translation>Finger</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/panel.py" />
+      <source>Show which links are the robot's fingertips</source>
+      <translation>Zeigt, welche Glieder die Fingerspitzen des Roboters sind</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/panel.py" />
+      <source>Motion scale</source>
+      <translation>Bewegungsmaßstab</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/panel.py" />
+      <source>Distance the robot's palm moves per distance of the hand</source>
+      <translation>Weg der Roboterhand je Weg der Hand</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/panel.py" />
+      <source>Clutch gesture</source>
+      <translation>Kupplungsgeste</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/panel.py" />
+      <source>UDP port for robot states</source>
+      <translation>UDP-Port für Roboterzustände</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/panel.py" />
+      <source>Send the robot's joint states as JSON to this local port</source>
+      <translation>Gelenkzustände des Roboters als JSON an diesen lokalen Port senden</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/panel.py" />
+      <source>UDP port</source>
+      <translation>UDP-Port</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/panel.py" />
+      <source>Open robot hand</source>
+      <translation>Roboterhand öffnen</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/panel.py" />
+      <source>Robot models (*.xml *.mjcf *.urdf)</source>
+      <translation>Robotermodelle (*.xml *.mjcf *.urdf)</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/panel.py" />
+      <source>On: the robot follows the hand. Off: it holds its pose ({})</source>
+      <translation>Ein: Der Roboter folgt der Hand. Aus: Er hält seine Pose ({})</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/view_model.py" />
@@ -8756,6 +8756,26 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/room/window/align_box.py" />
+      <source>Rest the wrist on the edge of a table and hold the hand still.</source>
+      <translation>Legen Sie das Handgelenk auf eine Tischkante und halten Sie die Hand ruhig.</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/align_box.py" />
+      <source>Keep the wrist there. Turn the palm up and down.</source>
+      <translation>Lassen Sie das Handgelenk dort. Drehen Sie die Handfläche nach oben und nach unten.</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/align_box.py" />
+      <source>Keep the wrist there. Move the fingers up and down.</source>
+      <translation>Lassen Sie das Handgelenk dort. Bewegen Sie die Finger auf und ab.</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/align_box.py" />
+      <source>Keep the wrist there. Move the fingers left and right.</source>
+      <translation>Lassen Sie das Handgelenk dort. Bewegen Sie die Finger nach links und rechts.</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/align_box.py" />
       <source>Connect the glove and start tracking first</source>
       <translation>Verbinden Sie zuerst den Handschuh und starten Sie das Tracking</translation>
     </message>
@@ -8763,6 +8783,21 @@ change {}: {}</source>
       <location filename="extensions/room/window/align_box.py" />
       <source>Choose the tracker on this hand first.</source>
       <translation>Wählen Sie zuerst den Tracker an dieser Hand.</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/align_box.py" />
+      <source>The tracker is {:.0f}, {:.0f}, {:.0f} mm from the wrist.</source>
+      <translation>Der Tracker ist {:.0f}, {:.0f}, {:.0f} mm vom Handgelenk entfernt.</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/align_box.py" />
+      <source>The rotations agree within {:.1f}°, and the wrist was at rest within {:.1f} mm (rms).</source>
+      <translation>Die Drehungen stimmen auf {:.1f}° überein, das Handgelenk ruhte auf {:.1f} mm genau (RMS).</translation>
+    </message>
+    <message>
+      <location filename="extensions/room/window/align_box.py" />
+      <source>The poses are {:.0f} ms late.</source>
+      <translation>Die Posen kommen {:.0f} ms verspätet.</translation>
     </message>
     <message>
       <location filename="extensions/room/window/align_box.py" />
@@ -8828,41 +8863,6 @@ change {}: {}</source>
       <location filename="extensions/room/window/extension.py" />
       <source>&amp;Room tracker…</source>
       <translation>Tracker im &amp;Raum …</translation>
-    </message>
-    <message>
-      <location filename="extensions/room/window/guided.py" />
-      <source>Rest the wrist on the edge of a table and hold the hand still.</source>
-      <translation>Legen Sie das Handgelenk auf eine Tischkante und halten Sie die Hand ruhig.</translation>
-    </message>
-    <message>
-      <location filename="extensions/room/window/guided.py" />
-      <source>Keep the wrist there. Turn the palm up and down.</source>
-      <translation>Lassen Sie das Handgelenk dort. Drehen Sie die Handfläche nach oben und nach unten.</translation>
-    </message>
-    <message>
-      <location filename="extensions/room/window/guided.py" />
-      <source>Keep the wrist there. Move the fingers up and down.</source>
-      <translation>Lassen Sie das Handgelenk dort. Bewegen Sie die Finger auf und ab.</translation>
-    </message>
-    <message>
-      <location filename="extensions/room/window/guided.py" />
-      <source>Keep the wrist there. Move the fingers left and right.</source>
-      <translation>Lassen Sie das Handgelenk dort. Bewegen Sie die Finger nach links und rechts.</translation>
-    </message>
-    <message>
-      <location filename="extensions/room/window/guided.py" />
-      <source>The tracker is {:.0f}, {:.0f}, {:.0f} mm from the wrist.</source>
-      <translation>Der Tracker ist {:.0f}, {:.0f}, {:.0f} mm vom Handgelenk entfernt.</translation>
-    </message>
-    <message>
-      <location filename="extensions/room/window/guided.py" />
-      <source>The rotations agree within {:.1f}°, and the wrist was at rest within {:.1f} mm (rms).</source>
-      <translation>Die Drehungen stimmen auf {:.1f}° überein, das Handgelenk ruhte auf {:.1f} mm genau (RMS).</translation>
-    </message>
-    <message>
-      <location filename="extensions/room/window/guided.py" />
-      <source>The poses are {:.0f} ms late.</source>
-      <translation>Die Posen kommen {:.0f} ms verspätet.</translation>
     </message>
     <message>
       <location filename="extensions/room/window/listening.py" />
@@ -10363,6 +10363,136 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>The camera was closed. Start glove and camera again.</source>
       <translation>Die Kamera wurde geschlossen. Starten Sie Handschuh und Kamera erneut.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The process ended unexpectedly. The computer may be out of memory.</source>
+      <translation>Der Prozess endete unerwartet. Möglicherweise fehlt dem Rechner Speicher.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{problems}</source>
+      <translation>{problems}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No glove was found on any USB serial port. Plug it in, then try again.</source>
+      <translation>An keinem seriellen USB-Anschluss wurde ein Handschuh gefunden. Einstecken und erneut versuchen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No glove was found. {reasons}</source>
+      <translation>Es wurde kein Handschuh gefunden. {reasons}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The camera has no calibration yet. Make or import one under Set-up, Camera calibration.</source>
+      <translation>Die Kamera ist noch nicht kalibriert. Unter Einrichtung, Kamerakalibrierung eine Kalibrierung erstellen oder importieren.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove's settings cannot be changed: {why}.</source>
+      <translation>Die Einstellungen des Handschuhs lassen sich nicht ändern: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The folder {folder} no longer exists.</source>
+      <translation>Der Ordner {folder} existiert nicht mehr.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} has not been tracked. Choose Track again first.</source>
+      <translation>Für {file} gibt es kein Tracking. Zuerst „Tracking wiederholen“ wählen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>they have no version number</source>
+      <translation>sie haben keine Versionsnummer</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>they were written by a later version of Glovetrack</source>
+      <translation>sie wurden von einer neueren Version von Glovetrack geschrieben</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>it is too large</source>
+      <translation>zu groß</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} is being recorded.</source>
+      <translation>{file} wird gerade aufgenommen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} is open. Close it first (Ctrl+W).</source>
+      <translation>{file} ist geöffnet. Zuerst schließen (Strg+W).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} is not a readable image.</source>
+      <translation>{file} ist kein lesbares Bild.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file}: the image could not be encoded.</source>
+      <translation>{file}: Das Bild konnte nicht kodiert werden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} exists again. It was not replaced by the removed file.</source>
+      <translation>{file} existiert wieder und wurde nicht durch die entfernte Datei ersetzt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{name} was not removed: {why}.</source>
+      <translation>{name} wurde nicht entfernt: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The tags of {file} were not moved with it: {why}.</source>
+      <translation>Die Schlagwörter von {file} wurden nicht mit verschoben: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} cannot be moved to the trash.</source>
+      <translation>{file} kann nicht in den Papierkorb verschoben werden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} exists again, so it was not restored from the trash.</source>
+      <translation>{file} existiert wieder und wurde daher nicht aus dem Papierkorb wiederhergestellt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>There is no image yet to fit the colours to.</source>
+      <translation>Es gibt noch kein Bild, an das die Farben angepasst werden könnten.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No markers were tracked yet. Fit from the image alone first.</source>
+      <translation>Noch wurden keine Marker getrackt. Erst allein aus dem Bild anpassen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} must have the hues {hues:words} for this glove.</source>
+      <translation>{file} muss für diesen Handschuh die Farbtöne {hues:words} enthalten.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Cannot record to {folder}: {why}.</source>
+      <translation>Aufnahme nach {folder} nicht möglich: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A file name can contain {known}, not {field}.</source>
+      <translation>Ein Dateiname kann {known} enthalten, nicht {field}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The file name "{template}" is incomplete. It can contain text and {known}.</source>
+      <translation>Der Dateiname „{template}“ ist unvollständig. Er kann Text und {known} enthalten.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -12716,91 +12846,6 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
-      <source>{option} can be {known:or}, not "{value}".</source>
-      <translation>{option} kann {known:or} sein, nicht „{value}“.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{option} must be between {low} and {high}.</source>
-      <translation>{option} muss zwischen {low} und {high} liegen.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The command {command} requires packages that are not installed ({why}). Install them: pip install "glovetrack[{extra}]".</source>
-      <translation>Der Befehl {command} braucht Pakete, die nicht installiert sind ({why}). Installieren Sie sie: pip install "glovetrack[{extra}]".</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>A cluster requires Dask. Install glovetrack[cluster].</source>
-      <translation>Ein Cluster braucht Dask. Installieren Sie glovetrack[cluster].</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>No Dask scheduler responds at {address}.</source>
-      <translation>Unter {address} antwortet kein Scheduler von Dask.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The work was stopped.</source>
-      <translation>Die Arbeit wurde abgebrochen.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The process that worked on it ended unexpectedly ({kind}: {why}).</source>
-      <translation>Der Prozess, der daran gearbeitet hat, ist unerwartet beendet worden ({kind}: {why}).</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>There is no check {names:list}. Available: {known:list}.</source>
-      <translation>Es gibt keine Prüfung {names:list}. Vorhanden: {known:list}.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{options:words} must be given together.</source>
-      <translation>{options:words} müssen zusammen angegeben werden.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{option} requires {needed}.</source>
-      <translation>{option} erfordert {needed}.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{option} must be at least {least}.</source>
-      <translation>{option} muss mindestens {least} sein.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{options:words} cannot be used together.</source>
-      <translation>{options:words} lassen sich nicht zusammen verwenden.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{option} must be greater than 0.</source>
-      <translation>{option} muss größer als 0 sein.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>Specify exactly one of {options:list}.</source>
-      <translation>Geben Sie genau eines davon an: {options:list}.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{option} requires packages that are not installed. Install them: pip install "glovetrack[{extra}]".</source>
-      <translation>{option} braucht Pakete, die nicht installiert sind. Installieren Sie sie: pip install "glovetrack[{extra}]".</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The report is an HTML page: {file} must end in .html.</source>
-      <translation>Der Bericht ist eine HTML-Seite: {file} muss auf .html enden.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>No commands are registered, because the installation is incomplete or older than the program. Install Glovetrack again.</source>
-      <translation>Es sind keine Befehle registriert: Die Installation ist unvollständig oder älter als das Programm. Installieren Sie Glovetrack erneut.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
       <source>{file} is not valid TOML: {why}.</source>
       <translation>{file} ist kein gültiges TOML: {why}.</translation>
     </message>
@@ -13286,6 +13331,91 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>{option} can be {known:or}, not "{value}".</source>
+      <translation>{option} kann {known:or} sein, nicht „{value}“.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{option} must be between {low} and {high}.</source>
+      <translation>{option} muss zwischen {low} und {high} liegen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The command {command} requires packages that are not installed ({why}). Install them: pip install "glovetrack[{extra}]".</source>
+      <translation>Der Befehl {command} braucht Pakete, die nicht installiert sind ({why}). Installieren Sie sie: pip install "glovetrack[{extra}]".</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A cluster requires Dask. Install glovetrack[cluster].</source>
+      <translation>Ein Cluster braucht Dask. Installieren Sie glovetrack[cluster].</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No Dask scheduler responds at {address}.</source>
+      <translation>Unter {address} antwortet kein Scheduler von Dask.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The work was stopped.</source>
+      <translation>Die Arbeit wurde abgebrochen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The process that worked on it ended unexpectedly ({kind}: {why}).</source>
+      <translation>Der Prozess, der daran gearbeitet hat, ist unerwartet beendet worden ({kind}: {why}).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>There is no check {names:list}. Available: {known:list}.</source>
+      <translation>Es gibt keine Prüfung {names:list}. Vorhanden: {known:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{options:words} must be given together.</source>
+      <translation>{options:words} müssen zusammen angegeben werden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{option} requires {needed}.</source>
+      <translation>{option} erfordert {needed}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{option} must be at least {least}.</source>
+      <translation>{option} muss mindestens {least} sein.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{options:words} cannot be used together.</source>
+      <translation>{options:words} lassen sich nicht zusammen verwenden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{option} must be greater than 0.</source>
+      <translation>{option} muss größer als 0 sein.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Specify exactly one of {options:list}.</source>
+      <translation>Geben Sie genau eines davon an: {options:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{option} requires packages that are not installed. Install them: pip install "glovetrack[{extra}]".</source>
+      <translation>{option} braucht Pakete, die nicht installiert sind. Installieren Sie sie: pip install "glovetrack[{extra}]".</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The report is an HTML page: {file} must end in .html.</source>
+      <translation>Der Bericht ist eine HTML-Seite: {file} muss auf .html enden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No commands are registered, because the installation is incomplete or older than the program. Install Glovetrack again.</source>
+      <translation>Es sind keine Befehle registriert: Die Installation ist unvollständig oder älter als das Programm. Installieren Sie Glovetrack erneut.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>is missing</source>
       <translation>fehlt</translation>
     </message>
@@ -13528,136 +13658,6 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>must be within {limit:g} of the identity matrix</source>
       <translation>darf höchstens {limit:g} von der Einheitsmatrix abweichen</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The process ended unexpectedly. The computer may be out of memory.</source>
-      <translation>Der Prozess endete unerwartet. Möglicherweise fehlt dem Rechner Speicher.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{problems}</source>
-      <translation>{problems}</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>No glove was found on any USB serial port. Plug it in, then try again.</source>
-      <translation>An keinem seriellen USB-Anschluss wurde ein Handschuh gefunden. Einstecken und erneut versuchen.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>No glove was found. {reasons}</source>
-      <translation>Es wurde kein Handschuh gefunden. {reasons}</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The camera has no calibration yet. Make or import one under Set-up, Camera calibration.</source>
-      <translation>Die Kamera ist noch nicht kalibriert. Unter Einrichtung, Kamerakalibrierung eine Kalibrierung erstellen oder importieren.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The glove's settings cannot be changed: {why}.</source>
-      <translation>Die Einstellungen des Handschuhs lassen sich nicht ändern: {why}.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The folder {folder} no longer exists.</source>
-      <translation>Der Ordner {folder} existiert nicht mehr.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{file} has not been tracked. Choose Track again first.</source>
-      <translation>Für {file} gibt es kein Tracking. Zuerst „Tracking wiederholen“ wählen.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>they have no version number</source>
-      <translation>sie haben keine Versionsnummer</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>they were written by a later version of Glovetrack</source>
-      <translation>sie wurden von einer neueren Version von Glovetrack geschrieben</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>it is too large</source>
-      <translation>zu groß</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{file} is being recorded.</source>
-      <translation>{file} wird gerade aufgenommen.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{file} is open. Close it first (Ctrl+W).</source>
-      <translation>{file} ist geöffnet. Zuerst schließen (Strg+W).</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{file} is not a readable image.</source>
-      <translation>{file} ist kein lesbares Bild.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{file}: the image could not be encoded.</source>
-      <translation>{file}: Das Bild konnte nicht kodiert werden.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{file} exists again. It was not replaced by the removed file.</source>
-      <translation>{file} existiert wieder und wurde nicht durch die entfernte Datei ersetzt.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{name} was not removed: {why}.</source>
-      <translation>{name} wurde nicht entfernt: {why}.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The tags of {file} were not moved with it: {why}.</source>
-      <translation>Die Schlagwörter von {file} wurden nicht mit verschoben: {why}.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{file} cannot be moved to the trash.</source>
-      <translation>{file} kann nicht in den Papierkorb verschoben werden.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{file} exists again, so it was not restored from the trash.</source>
-      <translation>{file} existiert wieder und wurde daher nicht aus dem Papierkorb wiederhergestellt.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>There is no image yet to fit the colours to.</source>
-      <translation>Es gibt noch kein Bild, an das die Farben angepasst werden könnten.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>No markers were tracked yet. Fit from the image alone first.</source>
-      <translation>Noch wurden keine Marker getrackt. Erst allein aus dem Bild anpassen.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>{file} must have the hues {hues:words} for this glove.</source>
-      <translation>{file} muss für diesen Handschuh die Farbtöne {hues:words} enthalten.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>Cannot record to {folder}: {why}.</source>
-      <translation>Aufnahme nach {folder} nicht möglich: {why}.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>A file name can contain {known}, not {field}.</source>
-      <translation>Ein Dateiname kann {known} enthalten, nicht {field}.</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.notices" />
-      <source>The file name "{template}" is incomplete. It can contain text and {known}.</source>
-      <translation>Der Dateiname „{template}“ ist unvollständig. Er kann Text und {known} enthalten.</translation>
     </message>
     <message>
       <location filename="glovetrack.notices" />

@@ -24,9 +24,8 @@ from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.guided.holds import ReducedRows
 from tracker.fusion.chain.params import SynergyParams
 from tracker.messages import Array, Event, ImuSample
-from tracker.simulation.end_joints import FINGER, THUMB
 from tracker.simulation.guided import with_events
-from tracker.simulation.wearer import Wearer
+from tracker.simulation.wearer import FINGER, THUMB, Wearer
 
 CASE = Case("free", "chain", minutes=0.02, fps=30.0, guided="guided")
 

@@ -14,9 +14,9 @@ from tracker.hand.model import HandModel
 from tracker.messages import ImuSample, Tracking
 from tracker.sensors.motor_events import motor_event, motor_of
 from tracker.sensors.protocol import Haptic
+from tracker.simulation.glove_device import ACCEL, GYRO, MotorVibration
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
-from tracker.simulation.vibration import ACCEL, GYRO, MotorVibration
 
 MOTORS, SEED = 3, 4
 STRONG = 8.0

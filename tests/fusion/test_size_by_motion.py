@@ -11,7 +11,6 @@ import pytest
 from tracker import GRAVITY
 from tracker.engine.pipeline import Pipeline
 from tracker.fusion.chain.calibration.measured import measured_profile
-from tracker.fusion.chain.calibration.motion_window import COLUMNS, TILT, MotionWindow
 from tracker.fusion.chain.calibration.size import (
     distance_sd,
     size_index,
@@ -19,7 +18,13 @@ from tracker.fusion.chain.calibration.size import (
     size_sd,
     with_min_distance_sd,
 )
-from tracker.fusion.chain.calibration.size_by_motion import information, sized
+from tracker.fusion.chain.calibration.size_by_motion import (
+    COLUMNS,
+    TILT,
+    MotionWindow,
+    information,
+    sized,
+)
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import PriorParams

@@ -16,8 +16,8 @@ from tracker.base.config import to_toml
 from tracker.base.notices import warning
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
+from tracker.fusion.chain.inertial import tilt_between, wrist_rows
 from tracker.fusion.chain.layout import ChainLayout
-from tracker.fusion.chain.wrist_pose import tilt_between, wrist_rows
 from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from extensions.applications.tests.hands import estimates
-from extensions.evaluation.gestures.score import as_estimate, score
+from extensions.evaluation.gestures.command import as_estimate, score
 from tracker.gestures.recogniser import KIND, GestureRecogniser, gesture_event
 from tracker.gestures.values import PINCHES
 from tracker.glove import library

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from tracker.fusion.chain.layout import seen_centres
 from tracker.glove.model import GloveModel
-from tracker.glove.patches import seen_centres
 from tracker.hand.model import HandModel
 from tracker.messages import Array
 from tracker.simulation.random_postures import RandomPostures

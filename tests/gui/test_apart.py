@@ -14,12 +14,12 @@ import pytest
 
 import glovetrack
 from app.engines.apart.demo import DemoSource
-from app.engines.apart.reserve import Reserve
 from app.engines.demo_camera import DemoChoice
 from app.engines.protocols import RecordingRequest
 from app.jobs.calibration_commands import CalibrationCommands
-from app.jobs.guided_poses import GuidedCommands
 from app.platform.tasks import JobProgress
+from app.window.sources import Reserve
+from app.wizards.guided.dialog import GuidedCommands
 from tests.gui.apart_engine import Scripted, Subscribed, connect, eventually
 from tests.gui.gui_fakes import models, scripted_setup
 from tracker.base.errors import ConfigError, DeviceError

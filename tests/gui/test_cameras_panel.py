@@ -8,10 +8,10 @@ from PySide6.QtCore import QPointF, QSize, Qt
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from app.engines.engine_host import EngineHost
+from app.panels.colours.source import FlowLayout
 from app.platform.tasks import TaskOwner
 from app.viewmodels.camera_overlay import DIM, EDGE_PX, Layers, overlay
 from app.viewmodels.colours import hue_colours
-from app.widgets.flow_layout import FlowLayout
 from app.widgets.image_shapes import Crosses, Rings
 from tests.gui.gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup
 from tracker.messages import CameraPose, Shed

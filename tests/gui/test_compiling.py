@@ -6,8 +6,8 @@ import sys
 import pytest
 from PySide6.QtCore import QTimer
 
-from app.platform import compiling
-from app.platform.compiling import CompilingWindow, compile_before_start
+from app.window import start
+from app.window.start import CompilingWindow, compile_before_start
 from tracker.kernels import parts, tools
 
 
@@ -52,9 +52,9 @@ def test_cancelling_stops_the_compiler(window, qtbot):
 def started(qapp, monkeypatch, tmp_path):
     """What `compile_before_start` starts, where the library is in ``tmp_path``."""
     processes = []
-    monkeypatch.setattr(compiling.os, "execv", lambda *_: processes.append("this program"))
+    monkeypatch.setattr(start.os, "execv", lambda *_: processes.append("this program"))
     monkeypatch.setattr(
-        compiling.subprocess, "Popen", lambda *_a, **_k: processes.append("other parts")
+        start.subprocess, "Popen", lambda *_a, **_k: processes.append("other parts")
     )
     monkeypatch.setattr(tools, "command", lambda *_: words("compiled 1 of 1: all"))
     monkeypatch.setattr(tools, "are_here", lambda: True)

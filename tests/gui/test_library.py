@@ -11,8 +11,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QDialogButtonBox
 
 from app.jobs.export import CANCELLED, DONE, FAILED, WAITING, ExportQueue, ExportRequest
-from app.jobs.offline_tracking import track_job
-from app.panels.library.comparing import CompareDialog
+from app.panels.library.comparing import CompareDialog, track_job
 from app.panels.library.export_dialog import ExportDialog
 from app.panels.library.track_dialog import TrackDialog
 from app.platform.tasks import JobProgress, TaskOwner

@@ -13,10 +13,9 @@ from PySide6.QtGui import QDesktopServices, QFontMetrics
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QInputDialog
 
 from app.jobs.export import DONE, ExportRequest, free_target
-from app.panels.library.export_dialog import ExportDialog
+from app.panels.library.export_dialog import ExportChoice, ExportDialog, choice_from
 from app.storage.session_tags import read_tags, tags_of_text, tags_path, write_tags
 from app.storage.settings import SettingsStore
-from app.viewmodels.export_choice import ExportChoice, choice_from
 from app.window.main_window import MainWindow
 from tests.notices import shows
 from tracker.offline.options import TrackOptions

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from app.widgets.view3d.meshes import BodyMesh, mesh_of
 from app.widgets.view3d.raster.solids import Rounded, block_surface
 from app.widgets.view3d.shapes import Block, CapsuleShape, Disc, ball
+from app.widgets.view3d.vtk_scene import BodyMesh, mesh_of
 
 OBLIQUE = np.array([0.6, 0.0, -0.8])
 BODIES = {

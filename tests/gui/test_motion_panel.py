@@ -10,7 +10,7 @@ from PySide6.QtCore import QPointF
 from PySide6.QtGui import QGuiApplication
 
 from app.engines.replay.engine import open_replay
-from app.panels.motion.table import BAR, RANGE, SHARE, VALUE
+from app.panels.motion.panel import BAR, RANGE, SHARE, VALUE
 from tests.gui.gui_fakes import ScriptedEngine
 from tracker.session.motion import read_take
 from tracker.session.reader import SessionReader

@@ -15,7 +15,7 @@ from app.storage.settings import SettingsStore
 from app.viewmodels.streams import option_fields
 from app.widgets.options_dialog import OptionsDialog
 from app.window.main_window import MainWindow
-from extensions.conformance.isaac.reader import read_records
+from extensions.conformance.run import read_records
 from tests.gui.gui_fakes import ScriptedEngine, ScriptedGlove, scripted_setup, with_glove
 from tests.notices import shows
 from tracker.base.errors import FileError

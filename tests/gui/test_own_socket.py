@@ -12,9 +12,8 @@ from pathlib import Path
 import pytest
 from PySide6.QtNetwork import QLocalSocket
 
-from app.platform import own_socket
-from app.platform.own_socket import ForeignSocket, addresses
-from app.platform.single_instance import Instance, ask, hand_over
+from app.platform import single_instance
+from app.platform.single_instance import ForeignSocket, Instance, addresses, ask, hand_over
 from tests.notices import raises, shows
 from tracker.base.errors import GlovetrackError
 from tracker.cli import main
@@ -89,14 +88,14 @@ class Stranger:
 
 def no_login_folder(monkeypatch: pytest.MonkeyPatch) -> None:
     """As without a login session: /run/user/UID is missing."""
-    monkeypatch.setattr(own_socket, "_runtime_folders", lambda: iter(()))
+    monkeypatch.setattr(single_instance, "_runtime_folders", lambda: iter(()))
 
 
 def test_the_socket_is_in_a_private_folder_of_the_user(tmp_path, monkeypatch, name):
     run = tmp_path / "r"
     run.mkdir(mode=0o700)
     monkeypatch.setenv("XDG_RUNTIME_DIR", str(run))
-    if len(str(run / name)) <= own_socket.LONGEST_PATH:
+    if len(str(run / name)) <= single_instance.LONGEST_PATH:
         assert addresses(name)[0] == str(run / name)
     run.chmod(0o755)
     assert str(run / name) not in addresses(name), "others can enter it"

@@ -20,8 +20,7 @@ from pythonosc.osc_message import OscMessage
 from pythonosc.osc_message_builder import OscMessageBuilder
 
 from app.jobs.remote import MOTOR_HZ
-from app.platform.own_socket import addresses
-from app.platform.single_instance import Instance, ask
+from app.platform.single_instance import Instance, addresses, ask
 from app.storage.settings import SettingsStore
 from app.widgets.options_dialog import OptionsDialog
 from tests.gui.gui_fakes import ScriptedGlove, scripted_setup, with_glove

@@ -8,12 +8,11 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from app.engines.replay.engine import ReplayEngine, open_replay
+from app.engines.replay.engine import ReplayEngine, marked, open_replay
 from app.engines.replay.hands import LATE, OfFile, ReplayMoment
 from app.engines.replay.marker_matches import MarkerMatcher
 from app.engines.replay.references import ReferenceTrack
 from app.engines.replay.sights import pairs
-from app.engines.replay.thread import marked
 from app.engines.snapshot import HandLooks, Snapshot
 from app.panels.library.transport import TransportBar
 from app.viewmodels.hand_scene import HandSceneModel

@@ -20,8 +20,7 @@ from app.wizards.stereo.image_choices import (
     folder_input,
     image_choices,
 )
-from app.wizards.stereo.import_form import ImportFormDialog
-from app.wizards.stereo.wizard import BOARD, CHECK, RESULT, VIEWS, StereoWizard
+from app.wizards.stereo.wizard import BOARD, CHECK, RESULT, VIEWS, ImportFormDialog, StereoWizard
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 from tests.notices import raises, shows
 from tracker.base.errors import DeviceError

@@ -11,8 +11,7 @@ import pytest
 from PySide6.QtNetwork import QLocalSocket
 
 from app.platform import single_instance
-from app.platform.own_socket import addresses
-from app.platform.single_instance import Instance, ask, hand_over
+from app.platform.single_instance import Instance, addresses, ask, hand_over
 from tests.notices import shows
 from tracker.base.errors import GlovetrackError
 from tracker.cli import main

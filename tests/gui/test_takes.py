@@ -15,7 +15,6 @@ from PySide6.QtWidgets import QApplication, QInputDialog
 from app.engines.protocols import RecordingRequest
 from app.engines.recording import PausableRecorder, recorder_maker
 from app.engines.replay.engine import open_replay
-from app.jobs.recording_check import check_job
 from app.viewmodels.library import quality_text
 from app.viewmodels.recording import duration_text
 from app.viewmodels.recording_report import (
@@ -29,6 +28,7 @@ from app.viewmodels.recording_report import (
     report_text,
 )
 from app.viewmodels.states import BAD, GOOD
+from app.window.recordings import check_job
 from resources import folder
 from tests.gui.gui_fakes import (
     ScriptedEngine,

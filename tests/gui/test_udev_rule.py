@@ -11,12 +11,11 @@ from PySide6.QtWidgets import QPushButton
 
 from app.window import doctor
 from app.window.doctor import DoctorDialog
-from app.window.udev_rule import UdevRuleDialog
+from app.window.udev_rule import TARGET, UdevRuleDialog, rule_text
 from app.words import notice_text
 from tracker.base.notices import failure, notice
 from tracker.doctor.finding import Check, Finding
 from tracker.doctor.permissions import RULES
-from tracker.doctor.udev_rule import TARGET, rule_text
 from tracker.sensors.link_faults import not_opened
 
 

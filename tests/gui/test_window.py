@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication, QToolTip
 
 from app.viewmodels.camera_overlay import project
 from app.viewmodels.states import IDLE
-from app.widgets.command_palette import CommandPalette, rank
+from app.window.dialogs import CommandPalette, rank
 from app.window.main_window import MainWindow
 from tests.gui.gui_fakes import ScriptedEngine, SlowJob, frame_and_blobs, models, scripted_setup
 from tests.gui.patience import settled

@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from app.platform import own_socket
-from app.platform.own_socket import is_own_pipe
+from app.platform import single_instance
+from app.platform.single_instance import is_own_pipe
 
 SIDS = {1: ctypes.create_string_buffer(b"S-own", 5), 2: ctypes.create_string_buffer(b"S-oth", 5)}
 OWN, OTHER, HIDDEN, SECOND_OWN = os.getpid(), 7, 8, 9
@@ -73,6 +73,6 @@ def test_only_a_pipe_of_this_user_is_accepted(
     server: int, own: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     system = System()
-    monkeypatch.setattr(own_socket, "_library", lambda name: system)
+    monkeypatch.setattr(single_instance, "_library", lambda name: system)
     assert is_own_pipe(server) == own
     assert system.open == 0, "no handle is left open"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tracker.live.rhythm import LATE, LONGEST, PacketRhythm
+from tracker.live.inbox import LATE, LONGEST, PacketRhythm
 
 PERIOD = 0.01
 

@@ -17,7 +17,7 @@ from tracker.base.errors import ConfigError, DeviceError, FileError
 from tracker.base.workers import WorkersAsked, WorkItem, dask_workers, run_all
 from tracker.cli import main
 from tracker.messages import Estimate
-from tracker.offline.batch import BatchJob, plan, table, track_all
+from tracker.offline.command_runs import BatchJob, plan, table, track_all
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track

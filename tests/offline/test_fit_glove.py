@@ -16,10 +16,10 @@ from tracker.cli import main
 from tracker.geometry import so3
 from tracker.glove import library
 from tracker.glove.files import parse_glove
-from tracker.glove.fitted import Fitted, with_fit
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array
+from tracker.offline.fit_glove import Fitted, with_fit
 from tracker.session.description import describe
 from tracker.session.writer import SessionRecorder
 from tracker.simulation.random_postures import RandomPostures

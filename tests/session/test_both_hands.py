@@ -9,8 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from extensions.conformance.isaac.reader import read_records
-from extensions.conformance.run import read_take
+from extensions.conformance.run import read_records, read_take
 from extensions.movement.report.measure import measure_hands
 from tests.simulated_sessions import BOTH, SimulatedSessions
 from tracker.cli import main

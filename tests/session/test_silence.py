@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tracker.session.ros import topics
-from tracker.session.silence import silences
+from tracker.session.verify import silences
 
 S = 1_000_000_000
 GLOVE = topics.imu("right", "dorsum")

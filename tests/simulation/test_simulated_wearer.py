@@ -11,10 +11,9 @@ from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array
-from tracker.simulation.end_joints import FINGER, THUMB, EndJoints
 from tracker.simulation.kinematics import angles_from_many, forward_many
 from tracker.simulation.random_postures import RandomPostures
-from tracker.simulation.wearer import Wearer, WearerParams
+from tracker.simulation.wearer import FINGER, THUMB, EndJoints, Wearer, WearerParams
 
 T = np.arange(0.0, 20.0, 0.25)
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from tracker import GRAVITY
 from tracker.sensors.protocol import Haptic
-from tracker.simulation.vibration import ELSEWHERE, MotorVibration
+from tracker.simulation.glove_device import ELSEWHERE, MotorVibration
 
 N = 7
 

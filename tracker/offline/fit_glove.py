@@ -2,33 +2,40 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from tracker.base.command import UsageError
-from tracker.base.errors import FileError
+from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import check_target, make_folder, name_part, write_whole
 from tracker.base.notices import notice
 from tracker.base.terminal import check_json, finish, progress_line
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
-from tracker.fusion.chain.calibration.glove_fit import COLLECT, GloveFit, fit_glove
+from tracker.fusion.chain.bundle.keyframes import Keyframe, Keyframes
+from tracker.fusion.chain.bundle.solver import Bundle, BundleWork
 from tracker.fusion.chain.engine import ChainSavedState
 from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.params import BundleParams, ChainParams
+from tracker.fusion.chain.profile import WearerProfile
+from tracker.fusion.chain.state import ChainState
+from tracker.geometry import so3
 from tracker.glove.files import parse_glove
-from tracker.glove.fitted import Fitted, with_fit
 from tracker.glove.library import user_folder
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
-from tracker.messages import BlobFrame, CameraImuSample, ImuSample
+from tracker.messages import Array, BlobFrame, CameraImuSample, ImuSample, IntArray
 from tracker.offline.commands import FitGloveArguments
 from tracker.offline.runs import arrival
 from tracker.offline.track import recorded_messages
 from tracker.session.reader import SessionReader
+from tracker.vision.rig import StereoRig
 
 FEW = 3
 """Postures below which a marker's position in the file is kept."""
@@ -162,3 +169,128 @@ def run(args: FitGloveArguments) -> int:
         lines.append(f"{target}: the glove file, fitted")
     finish(args, dict(fit_json(found)), lines, inputs)
     return 0
+
+
+# ---- writes marker positions and IMU mountings into the text of a glove file
+#
+# The remaining text is unchanged.
+
+_TABLE = re.compile(r"^[ \t]*\[", re.MULTILINE)
+_KIND = re.compile(r"\s*\[\[\s*(imu|marker)\s*\]\]")
+_NAME = re.compile(r"""^[ \t]*name\s*=\s*["'](.*?)["']""", re.MULTILINE)
+_ID = re.compile(r"^[ \t]*id\s*=\s*(\d+)", re.MULTILINE)
+_POSITION = re.compile(r"^([ \t]*position\s*=\s*)\[[^\]]*\]", re.MULTILINE)
+_MOUNTING = re.compile(r"^([ \t]*orientation_xyzw\s*=\s*)\[[^\]]*\]", re.MULTILINE)
+
+
+class Fitted(NamedTuple):
+    """Positions (3,) m of markers by their ids, and R_BI (3, 3) of IMUs by their names."""
+
+    positions: Mapping[int, Array]
+    mountings: Mapping[str, Array]
+
+
+def with_fit(text: str, fitted: Fitted) -> str:
+    """The text of a glove file with other marker positions and mountings.
+
+    Raises FileError if the file does not have one of the markers or IMUs as a table of its own.
+    """
+    positions, mountings, out = dict(fitted.positions), dict(fitted.mountings), []
+    for table in _tables(text):
+        kind = _KIND.match(table)
+        if kind and kind[1] == "marker" and (found := _ID.search(table)):
+            if (marker := int(found[1])) in positions:
+                table = _put(table, _POSITION, positions.pop(marker), 5)
+        elif kind and (found := _NAME.search(table)) and found[1] in mountings:
+            quat = so3.quat_from_matrix(mountings.pop(found[1]))
+            table = _put(table, _MOUNTING, quat, 6)
+        out.append(table)
+    if positions or mountings:
+        raise FileError(notice("fit_glove.no_table", names=[*map(str, positions), *mountings]))
+    return "".join(out)
+
+
+def _tables(text: str) -> Iterable[str]:
+    """The text, divided before the header of each table."""
+    starts = [0, *(m.start() for m in _TABLE.finditer(text)), len(text)]
+    return (text[a:b] for a, b in pairwise(starts))
+
+
+def _put(table: str, key: re.Pattern[str], values: Array, digits: int) -> str:
+    row = ", ".join(f"{x:.{digits}f}" for x in np.ravel(values))
+    return key.sub(lambda found: f"{found[1]}[{row}]", table, count=1)
+
+
+# ---- fits a glove file to a glove: marker positions and IMU mountings, from many postures
+#
+# It is the keyframe calibration (docs/chain.md, eqs. 45 to 47) with the priors of a glove that
+# was measured roughly. Hand size, joints and axes are those of the wearer and remain outside the
+# file.
+
+MARKER, MARKER_NORMAL = 0.003, 0.001  # m, prior sd along the cloth and normal to it
+MOUNTING = 0.2  # rad about each axis
+MOST_SHIFT = 0.02  # m of a marker along an axis
+LEAST_POSTURES = 20
+SWEEPS = 8
+COLLECT = BundleParams(first_after=np.inf, keyframes=120, apart=0.2, least_blobs=12)
+"""Settings that collect postures without a solution while tracking."""
+
+
+class GloveFit(NamedTuple):
+    """Of M markers and n IMUs: marker positions (M, 3) m in B as in a glove file, their offsets
+    from the file (M, 3) m with standard deviations (M, 3), in how many postures each marker was
+    ``seen`` (M,); mountings R_BI (n, 3, 3), their rotation from the file (n, 3) rad about the axes
+    of I, and its standard deviations (n, 3)."""
+
+    position: Array
+    offset: Array
+    offset_sd: Array
+    seen: IntArray
+    R_BI: Array
+    turn: Array
+    turn_sd: Array
+
+
+def fit_glove(
+    layout: ChainLayout, rig: StereoRig, frames: Sequence[Keyframe], state: ChainState
+) -> GloveFit:
+    """The fit to postures ``frames``, from the calibration of ``state`` on.
+
+    Raises ConfigError if there are too few postures, or if none of them agrees with the glove.
+    """
+    if len(frames) < LEAST_POSTURES:
+        raise ConfigError(
+            notice("fit_glove.few_postures", postures=len(frames), least=LEAST_POSTURES)
+        )
+    params = _rough(ChainParams())
+    bundle = Bundle(layout, rig, params, MOST_SHIFT)
+    work = BundleWork(next_at=-np.inf, pause=1.0, keyframes=Keyframes(list(frames)))
+    solved: WearerProfile | None = None
+    for _ in range(1 + SWEEPS * len(frames)):
+        solved = bundle.step(work, state)
+    if solved is None:
+        raise ConfigError(notice("fit_glove.not_fitted", most_mm=1e3 * MOST_SHIFT))
+    return _fit(layout, solved, frames)
+
+
+def _rough(params: ChainParams) -> ChainParams:
+    prior = replace(params.prior, marker=MARKER, marker_normal=MARKER_NORMAL, mounting=MOUNTING)
+    bundle = replace(params.bundle, sweeps=SWEEPS, least_keyframes=LEAST_POSTURES)
+    return replace(params, prior=prior, bundle=bundle)
+
+
+def _fit(layout: ChainLayout, solved: WearerProfile, frames: Sequence[Keyframe]) -> GloveFit:
+    at, n = layout.blocks, layout.n_dynamic
+    sd = np.sqrt(np.diag(solved.P))
+    scale = solved.scale[layout.marker_segment][:, [0, 1, 1]]
+    offset = solved.marker / scale  # a file's positions grow with the segment
+    seen = np.sum([np.isfinite(f.uv[..., 0]).any(axis=0) for f in frames], axis=0)
+    return GloveFit(
+        position=layout.glove.marker_position + offset,
+        offset=offset,
+        offset_sd=sd[at.marker - n : at.axis - n].reshape(-1, 3) / scale,
+        seen=np.asarray(seen, np.int64),
+        R_BI=solved.R_IB.swapaxes(1, 2),
+        turn=so3.log(layout.R_IB @ solved.R_IB.swapaxes(1, 2)),
+        turn_sd=sd[at.phi - n : at.ba - n].reshape(-1, 3),
+    )

@@ -4,7 +4,7 @@ All threads of a process share Python's lock. Ten outputs that each encode 100 e
 would hold it for most of the time. `StreamsProcess` sends each estimate once, to a process that
 encodes and sends what the streams need; `tracker.streaming.apart_child` runs there. On Linux, where
 one can know that a pipe has room, the thread that makes an estimate writes it there: waking another
-one took three times as long. Elsewhere the thread of `tracker.streaming.senders` does.
+one took three times as long. Elsewhere the thread of `tracker.streaming.streams` does.
 """
 
 from __future__ import annotations

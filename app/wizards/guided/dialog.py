@@ -2,22 +2,34 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, QTimer, Signal
+from functools import partial
+
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from app.engines.engine import EngineSetup, LivePart
 from app.engines.engine_host import EngineHost
-from app.jobs.guided_poses import GuidedCommands
+from app.jobs.calibration_commands import learning_part
 from app.storage.settings import SettingsStore
 from app.viewmodels.guided import GuidedPhase, GuidedRun
-from app.viewmodels.guided_result import LearnedWords, WearerNow, learned
-from app.viewmodels.guided_words import POSE_WORDS, LiveJudge, chips, colour, word
+from app.viewmodels.guided_words import (
+    POSE_WORDS,
+    LearnedWords,
+    LiveJudge,
+    WearerNow,
+    chips,
+    colour,
+    learned,
+    word,
+)
 from app.wizards.leading.dialog import LeadingDialog
 from app.wizards.leading.outcome import OutcomePage
 from app.wizards.leading.page import LeadingPage
 from app.words import tr
 from tracker.base.clock import monotonic
+from tracker.fusion.chain.known import WearerSnapshot
+from tracker.fusion.engine import Engine
 from tracker.messages import Estimate
 
 THINKING_MS = 1200  # after the last pose: the engine needs some images to evaluate it
@@ -267,3 +279,44 @@ class GuidedDialog(LeadingDialog):
         if self.run.is_running:
             self.run.cancel()
         super().done(result)
+
+
+# ---- commands of the guided poses to the engine: query the wearer's calibration, and restore it
+
+
+class GuidedCommands(QObject):
+    """For the hand of one ``side``. Answers arrive in the window's thread."""
+
+    known = Signal(object)  # WearerNow, after `ask`
+
+    def __init__(self, host: EngineHost, side: str, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._host, self._side = host, side
+
+    def ask(self) -> bool:
+        """Request the state of the wearer's calibration, delivered by `known`; False if no engine
+        accepts commands.
+
+        An engine without a wearer's calibration reports that in the log.
+        """
+        return self._host.command(_wearer_now, self._side, self.known.emit)
+
+    def restore_snapshot(self, before: WearerNow) -> bool:
+        """Restore the calibration from ``before``."""
+        return self._host.command(partial(_restore, known=before.remembered), self._side)
+
+
+def _wearer_now(engine: Engine) -> WearerNow:
+    learner = learning_part(engine)
+    wearer = learner.wearer
+    gains, abduction = wearer.synergies
+    ends = {digit: P.copy() for digit, P in wearer.end_joints.items()}
+    frozen, learning = wearer.calibration.is_frozen, wearer.is_learning
+    known = wearer.remembered()
+    return WearerNow(
+        gains.copy(), abduction.copy(), ends, learner.calibration(), known, frozen, learning
+    )
+
+
+def _restore(engine: Engine, known: WearerSnapshot) -> None:
+    learning_part(engine).wearer.restore_snapshot(known)

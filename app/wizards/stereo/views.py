@@ -7,7 +7,9 @@ from collections.abc import Callable, Sequence
 
 import cv2
 import numpy as np
-from PySide6.QtCore import Qt, Signal
+from numpy.typing import NDArray
+from PySide6.QtCore import QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
@@ -34,7 +36,6 @@ from app.viewmodels.stereo import (
     say,
     view_name,
 )
-from app.widgets.coverage_map import CoverageMap
 from app.widgets.image_shapes import Shape
 from app.widgets.image_view import ImageView
 from app.widgets.measures import TIGHT, WIDE
@@ -273,3 +274,62 @@ def _rectify_map(camera: Camera) -> tuple[np.ndarray, np.ndarray]:
 
 def _rectified(image: Image, maps: tuple[np.ndarray, np.ndarray]) -> Image:
     return np.asarray(cv2.remap(image, maps[0], maps[1], cv2.INTER_LINEAR), np.uint8)
+
+
+# ---- maps of the image areas that the board has covered
+
+FULL = QColor("#009E73")
+ENOUGH = 3
+"""Number of views at which a cell is filled."""
+GAP = 14
+
+
+class CoverageMap(QWidget):
+    """Shows the number of views with corners in each cell, as a number and a fill."""
+
+    def __init__(self, titles: tuple[str, str], alone: str, parent: QWidget | None = None) -> None:
+        """``titles`` of left and right, ``alone`` of a single camera."""
+        super().__init__(parent)
+        self._titles, self._alone = titles, alone
+        self._counts: tuple[NDArray[np.int64], ...] = ()
+        self.setMinimumSize(220, 90)
+
+    def sizeHint(self) -> QSize:
+        return QSize(300, 118)
+
+    def show_counts(self, maps: tuple[NDArray[np.int64], ...]) -> None:
+        """Show one or two arrays (rows, columns)."""
+        self._counts = maps
+        empty = sum(int((counts == 0).sum()) for counts in maps)
+        self.setAccessibleName(self.tr("{} empty cells").format(empty))
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        width = (self.width() - GAP) / 2
+        head = painter.fontMetrics().height() + 4
+        for k, title in enumerate(self._titles if len(self._counts) != 1 else (self._alone,)):
+            x = k * (width + GAP)
+            painter.setPen(self.palette().color(QPalette.ColorRole.WindowText))
+            where = QRectF(x, 0, width, head)
+            painter.drawText(where, Qt.AlignmentFlag.AlignLeft, title)
+            if self._counts:
+                box = QRectF(x, head, width, self.height() - head)
+                self._paint_cells(painter, box, self._counts[k])
+        painter.end()
+
+    def _paint_cells(self, painter: QPainter, box: QRectF, counts: NDArray[np.int64]) -> None:
+        rows, columns = counts.shape
+        w, h = box.width() / columns, box.height() / rows
+        text = self.palette().color(QPalette.ColorRole.WindowText)
+        for (i, j), count in np.ndenumerate(counts):
+            cell = QRectF(box.x() + j * w, box.y() + i * h, w - 2, h - 2)
+            fill = QColor(FULL)
+            fill.setAlphaF(0.75 * min(1.0, int(count) / ENOUGH))
+            painter.setPen(self.palette().color(QPalette.ColorRole.Mid))
+            painter.setBrush(fill)
+            painter.drawRect(cell)
+            if count:
+                painter.setPen(text)
+                painter.drawText(cell, Qt.AlignmentFlag.AlignCenter, str(int(count)))

@@ -18,7 +18,6 @@ from extensions.applications.drawing import Drawing, Line, Points, Text
 from extensions.applications.hand import HandSample
 from extensions.applications.interface import Command, Happening, Step, VehicleCommand
 from extensions.applications.swarm.flight import Drones, FlightParams, ball, fly
-from extensions.applications.swarm.walls import Walls
 from tracker.messages import Array, IntArray
 
 COLOURS = ("#E69F00", "#56B4E9", "#009E73", "#CC79A7", "#F0E442", "#D55E00")
@@ -297,3 +296,60 @@ def _let_go(held: _Held) -> Happening:
 def _fence(strip: list[Array]) -> Array:
     """Polyline (2N, 3) along alternating edges of a wall, so that it is transparent."""
     return np.concatenate([edge if i % 2 else edge[::-1] for i, edge in enumerate(strip)])
+
+
+# ---- virtual walls drawn by a flat hand, as triangles
+
+SPACING = 0.012  # m of movement between two edges of a wall
+FLATTEST = 0.3  # sine between the hand's step and its length, below which it sweeps nothing
+MOST = 400  # edges of all walls
+
+
+class Walls:
+    """Walls built edge by edge; an edge is the line from the wrist to the fingertips."""
+
+    def __init__(self) -> None:
+        self.strips: list[list[Array]] = []  # each: edges (2, 3) m
+        self.triangles: Array = np.empty((0, 3, 3))
+        self._drawing = False
+
+    @property
+    def edges(self) -> int:
+        return sum(len(s) for s in self.strips)
+
+    def sweep(self, edge: Array) -> None:
+        """Add the hand's current edge (2, 3) m."""
+        if not self._drawing:
+            self.strips.append([edge])
+            self._drawing = True
+            return
+        last = self.strips[-1][-1]
+        step = edge.mean(axis=0) - last.mean(axis=0)
+        length = float(np.linalg.norm(step))
+        if length < SPACING or self.edges >= MOST:
+            return
+        along = last[1] - last[0]
+        across = np.linalg.norm(np.cross(step, along)) / (length * np.linalg.norm(along))
+        if across < FLATTEST:
+            return
+        self.strips[-1].append(edge)
+        quad = np.array([[last[0], last[1], edge[1]], [last[0], edge[1], edge[0]]])
+        self.triangles = np.concatenate([self.triangles, quad])
+
+    def finish(self) -> float:
+        """Finish the wall and return its area in m², 0 if there is none."""
+        if not self._drawing:
+            return 0.0
+        self._drawing = False
+        quads = len(self.strips[-1]) - 1
+        if quads == 0:
+            self.strips.pop()
+            return 0.0
+        a, b, c = np.moveaxis(self.triangles[-2 * quads :], 1, 0)
+        return float(0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1).sum())
+
+    def clear(self) -> None:
+        """Remove all walls."""
+        self.strips.clear()
+        self.triangles = np.empty((0, 3, 3))
+        self._drawing = False

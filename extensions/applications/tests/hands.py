@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from extensions.applications.runner import ApplicationRunner, Outcome
-from extensions.evaluation.gestures.score import as_estimate
+from extensions.evaluation.gestures.command import as_estimate
 from tracker.glove import library
 from tracker.messages import Estimate
 from tracker.simulation.scenario import Truth

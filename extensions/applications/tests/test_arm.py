@@ -8,11 +8,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from extensions.applications.arm.arm import ArmSettings, RobotArm
-from extensions.applications.arm.robot import AXES, REST, SixAxisArm, ToolPose
-from extensions.applications.arm.stream import ArmSink, from_json, to_json
+from extensions.applications.arm.arm import AXES, REST, ArmSettings, RobotArm, SixAxisArm, ToolPose
 from extensions.applications.drawing import Mesh
 from extensions.applications.interface import JointCommand, PoseCommand
+from extensions.applications.sinks import ArmSink, from_json, to_json
 from extensions.applications.tests.hands import datas, outcomes, words
 from tests.notices import raises
 from tracker.base.errors import GlovetrackError

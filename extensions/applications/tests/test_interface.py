@@ -15,11 +15,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from extensions.applications.command_runs import Into, difference, replay, run_into
 from extensions.applications.drawing import Line, Points
 from extensions.applications.hand import HandReader, predicted
 from extensions.applications.registry import APPLICATIONS, kind, make, titles
 from extensions.applications.runner import ApplicationRunner
-from extensions.applications.session_run import Into, difference, replay, run_into
 from extensions.applications.sources import from_json, simulated, streamed
 from extensions.applications.stage import ApplicationStage
 from extensions.applications.tests.hands import GLOVE, HAND, estimates, outcomes, words

@@ -8,7 +8,7 @@ import trimesh
 
 from extensions.applications.drawing import Line, Mesh, Text
 from extensions.applications.interface import MotorCommand
-from extensions.applications.place.model import THINGS
+from extensions.applications.place.place import THINGS
 from extensions.applications.tests.hands import datas, outcomes, words
 from tracker.simulation.scripted import Key
 

@@ -15,10 +15,16 @@ from app.engines.engine import EngineSetup
 from extensions.applications.drawing import Mesh
 from extensions.applications.extension import LISTENER
 from extensions.applications.hand import HandSample
-from extensions.applications.live import LiveApplication, stage_of
-from extensions.applications.remote import RemoteStage
+from extensions.applications.live import (
+    MOST,
+    ArrayReceiver,
+    ArraySender,
+    LiveApplication,
+    Packed,
+    RemoteStage,
+    stage_of,
+)
 from extensions.applications.runner import KIND
-from extensions.applications.sharing import MOST, ArrayReceiver, ArraySender, Packed
 from extensions.applications.tests.hands import estimates
 from extensions.applications.tests.test_touch import PRESS
 from tests.gui.apart_engine import Subscribed, connect, eventually

@@ -14,8 +14,7 @@ from extensions.applications.interface import MotorCommand
 from extensions.applications.runner import ApplicationRunner
 from extensions.applications.sinks import LASTS_MS, PULLS, THREE, MotorSink, pulls
 from extensions.applications.tests.hands import GLOVE, HAND, datas, estimates, outcomes, words
-from extensions.applications.touch.meshes import load_mesh, solid
-from extensions.applications.touch.touch import PlacedMesh, contacts, pads
+from extensions.applications.touch.touch import PlacedMesh, contacts, load_mesh, pads, solid
 from tests.notices import raises
 from tracker.base.errors import ConfigError, FileError
 from tracker.geometry.triangles import triangles_of

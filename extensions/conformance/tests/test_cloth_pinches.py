@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from extensions.conformance.isaac.record import HandRecord, Stamps, joints_of
-from extensions.conformance.steps import judge_steps
+from extensions.conformance.shape import judge_steps
 from extensions.conformance.take import PINCHES, ScriptStep, take_of
 from tests.cloth_scene import Scene
 from tracker.geometry import so3

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from extensions.conformance.isaac.reader import read_records
+from extensions.conformance.run import read_records
 from tests.notices import raises
 from tracker.base.errors import ConfigError
 from tracker.messages import Estimate

@@ -10,10 +10,10 @@ from mcap.reader import make_reader
 from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
-from extensions.conformance.isaac.reader import read_records
 from extensions.conformance.isaac.record import HandRecord, Stamps, decode, encode, joints_of
 from extensions.conformance.isaac.schema import SE3, binary_schema
 from extensions.conformance.isaac.writer import IsaacWriter
+from extensions.conformance.run import read_records
 from tests.fixtures import RESOURCES
 from tests.notices import raises
 from tests.streaming.recorded_hand import RecordedHand, assert_near, assert_parallel

@@ -9,8 +9,16 @@ import numpy as np
 import pytest
 
 from extensions.evaluation.fingers.command import CLOTH, DISTAL, WITHOUT, rows_of, table
-from extensions.evaluation.fingers.silhouettes import as_cloth, capsules, silhouette
-from extensions.evaluation.fingers.trial import DIGITS, TIPS, Seen, TipErrors, shares_seen
+from extensions.evaluation.fingers.trial import (
+    DIGITS,
+    TIPS,
+    Seen,
+    TipErrors,
+    as_cloth,
+    capsules,
+    shares_seen,
+    silhouette,
+)
 from tracker.cli import main
 from tracker.hand.model import HandModel
 from tracker.hand.names import CHAINS, FINGERS

@@ -7,8 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from extensions.evaluation.hands.command import summary, table
-from extensions.evaluation.hands.trial import HandFigures, longest
+from extensions.evaluation.hands.command import HandFigures, longest, summary, table
 from tests.notices import shows
 from tracker.base.workers import WorkItem, run_all
 from tracker.cli import main

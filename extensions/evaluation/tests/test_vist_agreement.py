@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from extensions.evaluation.tests.test_vist_metrics import trial
-from extensions.evaluation.vist.agreement import agreement, lines_of
 from extensions.evaluation.vist.cases import Case
+from extensions.evaluation.vist.command import agreement, lines_of
 from extensions.evaluation.vist.metrics import WholeHandErrors
 from extensions.evaluation.vist.trial import run_trial
 from tracker.messages import Validity

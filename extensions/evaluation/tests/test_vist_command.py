@@ -19,12 +19,11 @@ from extensions.evaluation.vist.cases import (
     without_images,
     without_imus,
 )
-from extensions.evaluation.vist.command import cases_of
+from extensions.evaluation.vist.command import cases_of, line_of, row_of
 from extensions.evaluation.vist.metrics import Trial, summarise
 from extensions.evaluation.vist.report import write_report
 from extensions.evaluation.vist.run import ProgressBar, run_cases
 from extensions.evaluation.vist.scenes import motion_of, simulation_of
-from extensions.evaluation.vist.table import line_of, row_of
 from extensions.evaluation.vist.trial import meet_again, models, owners, run_trial
 from tests.notices import raises
 from tracker.base.errors import ConfigError, FileError

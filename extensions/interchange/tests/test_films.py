@@ -10,8 +10,8 @@ import cv2
 import numpy as np
 import pytest
 
-from extensions.interchange import film
-from extensions.interchange.film import PLAIN, H264Film, open_film
+from extensions.interchange import overlay
+from extensions.interchange.overlay import PLAIN, H264Film, open_film
 from extensions.interchange.views import CurvesView, HandView, side_by_side
 from tests.notices import raises
 from tracker.base.errors import ConfigError
@@ -159,7 +159,7 @@ def test_the_message_of_an_ffmpeg_that_ends_early_is_reported(
 def test_without_ffmpeg_the_film_is_mpeg4_and_this_is_reported(
     session: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(film.shutil, "which", lambda name: None)
+    monkeypatch.setattr(overlay.shutil, "which", lambda name: None)
     said = export(session, "mp4", session.with_name("o.mp4"))
     assert said["codec"] == PLAIN and "ffmpeg with H.264 is not installed" in said["said"][0]
 

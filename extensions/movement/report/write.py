@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import base64
+import csv
+import io
 from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
@@ -16,13 +18,13 @@ from extensions.movement.report.angles import RECORDED, SEQUENCE
 from extensions.movement.report.course import CUTOFF
 from extensions.movement.report.figures import all_figures, figure_names, png, svg
 from extensions.movement.report.measure import MeasuredTake, Row, measure_hands
-from extensions.movement.report.table import scaled, table, text
 from tracker import __version__
 from tracker.base.errors import ConfigError
 from tracker.base.files import check_target, whole_files
 from tracker.base.notices import notice
 from tracker.base.report_page import html_page, html_table
 from tracker.session.edits import lines as edit_lines
+from tracker.session.motion import Units
 
 SVG_HEAD = '<?xml version="1.0" encoding="utf-8"?>\n'
 
@@ -248,3 +250,47 @@ def _row(row: Row, unit: str) -> dict[str, float | int]:
 def _percent(shares: Sequence[float]) -> float:
     """Mean over the recorded angles in percent."""
     return 100.0 * float(np.mean(shares)) if shares else float("nan")
+
+
+# ---- the values of a report as CSV: one line per take and quantity, with a column for the unit
+
+COLUMNS = (
+    "take", "wearer", "side", "name", "unit", "sequence", "min", "max", "range", "range_sd",
+    "mean", "sd", "claimed_sd", "peak_speed_per_s", "peak_speed_at_s", "greatest_at_s",
+    "spectral_arc_length", "log_dimensionless_jerk", "repetitions",
+    "range_of_one", "sd_of_one", "measured_percent", "inferred_percent", "lost_percent",
+    "interpolated_percent",
+)  # fmt: skip
+_UNITS = Units()
+
+
+def table(takes: Sequence[MeasuredTake]) -> str:
+    """CSV text: angles in degrees, distances in mm, empty cells for unknown values."""
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(COLUMNS)
+    for measured in takes:
+        for row in measured.rows:
+            writer.writerow([measured.name, measured.wearer, measured.side, *_table_cells(row)])
+    return out.getvalue()
+
+
+def _table_cells(row: Row) -> list[str]:
+    m, c = row.measure, row.course
+    sequence = (SEQUENCE if row.isb else RECORDED) if m.is_angle else ""
+    spread = (m.least, m.greatest, m.range, row.range_sd, m.mean, m.sd, m.claimed_sd, c.fastest)
+    numbers = [text(scaled(row, v)) for v in spread]
+    plain = [text(v) for v in (c.at, row.peak_at, c.arc, c.jerk)]
+    shares = [text(100 * v, 2) for v in (m.measured, m.inferred, m.lost, m.interpolated)]
+    each = [text(scaled(row, v)) for v in (c.each, c.each_sd)]
+    unit = _UNITS.name(m.is_angle)
+    return [m.name, unit, sequence, *numbers, *plain, str(c.repetitions), *each, *shares]
+
+
+def scaled(row: Row, value: float) -> float:
+    """An angle in degrees, a distance in mm."""
+    return _UNITS.of(value, row.measure.is_angle)
+
+
+def text(value: float, digits: int = 4) -> str:
+    return f"{value:.{digits}f}" if np.isfinite(value) else ""

@@ -9,9 +9,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from extensions.movement.motion_file import MotionCourse
 from extensions.movement.tests.arm import BODY, MASS, WRIST
-from extensions.movement.whole_body import AXES, LIGHT
+from extensions.movement.whole_body import AXES, LIGHT, MotionCourse
 from tests.notices import raises
 from tests.streaming.recorded_hand import OPENXR_JOINTS, RecordedHand, assert_parallel
 from tracker.base.errors import ConfigError, FileError

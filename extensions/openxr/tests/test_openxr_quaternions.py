@@ -6,7 +6,7 @@ import numpy as np
 from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
-from extensions.openxr.joints import inverse, product, rotate, rotation_vector
+from extensions.openxr.publisher import inverse, product, rotate, rotation_vector
 
 
 def test_they_turn_as_scipys_rotations() -> None:

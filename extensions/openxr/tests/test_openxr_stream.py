@@ -15,7 +15,6 @@ from numpy.testing import assert_allclose, assert_array_equal
 from scipy.spatial.transform import Rotation
 
 from extensions.openxr.extension import STREAM, OpenXrOptions
-from extensions.openxr.joints import HOLD, LONGEST_SPAN, SPAN, JointSeries
 from extensions.openxr.layout import (
     HEADER,
     JOINT,
@@ -31,7 +30,15 @@ from extensions.openxr.layout import (
     Velocity,
 )
 from extensions.openxr.memory import ELSEWHERE
-from extensions.openxr.publisher import REPLAYED_NS, OpenXrPublisher, WorldPlacement
+from extensions.openxr.publisher import (
+    HOLD,
+    LONGEST_SPAN,
+    REPLAYED_NS,
+    SPAN,
+    JointSeries,
+    OpenXrPublisher,
+    WorldPlacement,
+)
 from extensions.openxr.readers import read_link
 from tests.fixtures import RESOURCES
 from tests.notices import raises

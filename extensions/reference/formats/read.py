@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+import csv
+from datetime import datetime
 from pathlib import Path
 
-from extensions.reference.formats.c3d import read_c3d
-from extensions.reference.formats.optitrack import read_optitrack
-from extensions.reference.formats.qualisys import read_qualisys
-from extensions.reference.formats.table import read_table
-from extensions.reference.formats.vicon import read_vicon
-from extensions.reference.mapping import PointMapping
+import numpy as np
+
+from extensions.reference.formats.c3d import read_c3d, rising_edges
+from extensions.reference.mapping import PointMapping, TableColumns
 from extensions.reference.recording import (
     UNITS,
+    ReferencePulse,
     ReferenceRecording,
     metres,
     number,
@@ -95,3 +96,187 @@ def read_trc(path: Path, lines: list[str]) -> ReferenceRecording:
     scale = metres(header.get("Units", "mm"), path)
     points = triples(table, list(columns.values())) * scale
     return ReferenceRecording("TRC", tuple(columns), table[:, 1], points).checked(path)
+
+
+# ---- a CSV of any program, with the names of its columns in a mapping file
+
+
+def read_table(
+    path: Path, lines: list[str], columns: TableColumns, unit: float
+) -> ReferenceRecording:
+    """The header is the first line that contains all the columns; ``unit`` in m.
+
+    Raises FileError.
+    """
+    axes = [c for point in columns.points.values() for c in point]
+    wanted = [c for c in (columns.time, columns.pulse) if c is not None] + axes
+    rows = [[c.strip() for c in row] for row in csv.reader(lines, delimiter=columns.delimiter)]
+    top = next((i for i, row in enumerate(rows) if set(wanted) <= set(row)), None)
+    if top is None:
+        nearest = max(rows, key=lambda row: len(set(wanted) & set(row)), default=[])
+        missing = [c for c in wanted if c not in nearest]
+        raise FileError(
+            notice("reference.no_column", file=path, column=missing[0], known=tuple(nearest[:60]))
+        )
+    index = {name: i for i, name in reversed(list(enumerate(rows[top])))}
+    body = [row for row in rows[top + 1 :] if any(row)]
+
+    def column(name: str) -> np.ndarray:
+        return np.array([number(r[index[name]]) if index[name] < len(r) else np.nan for r in body])
+
+    t = np.arange(len(body)) / max(columns.rate, 1e-9)
+    if columns.time is not None:
+        t = column(columns.time) * columns.time_unit
+    points = np.array([column(c) for c in axes]).T.reshape(len(body), -1, 3) * unit
+    points = np.where(np.isfinite(points).all(axis=2, keepdims=True), points, np.nan)
+    pulses = _pulses(column(columns.pulse), t, columns.pulse) if columns.pulse else ()
+    return ReferenceRecording("CSV", tuple(columns.points), t, points, pulses=pulses).checked(path)
+
+
+def _pulses(x: np.ndarray, t: np.ndarray, name: str) -> tuple[ReferencePulse, ...]:
+    rows = rising_edges(x, 1.0)
+    return tuple(ReferencePulse(float(np.interp(r, np.arange(len(t)), t)), name) for r in rows)
+
+
+# ---- vicon Nexus' ASCII export: the section Trajectories, and Events
+
+_SECTIONS = ("Trajectories", "Events", "Devices", "Model Outputs", "Joints", "Segments")
+
+
+def read_vicon(path: Path, lines: list[str]) -> ReferenceRecording:
+    """Times count from frame 1, as those of events do. Raises FileError."""
+    sections = _sections(lines)
+    rows = sections.get("Trajectories", [])
+    if len(rows) < 6:
+        raise FileError(notice("reference.empty", file=path))
+    rate = number(rows[1][0])
+    if not rate > 0:
+        raise FileError(notice("reference.no_rate", file=path))
+    columns = {name.strip(): i for i, name in enumerate(rows[2]) if name.strip()}
+    unit = next((c for c in rows[4][2:] if c.strip()), "mm")
+    body = [r for r in rows[5:] if r and np.isfinite(number(r[0]))]
+    table = numbers(body, max([2, *(c + 3 for c in columns.values())]))
+    points = triples(table, list(columns.values())) * metres(unit, path)
+    t = (table[:, 0] - 1) / rate
+    pulses = tuple(
+        ReferencePulse(number(r[3]), r[2].strip())
+        for r in sections.get("Events", [])[3:]
+        if len(r) > 3 and np.isfinite(number(r[3]))
+    )
+    return ReferenceRecording("Vicon CSV", tuple(columns), t, points, pulses=pulses).checked(path)
+
+
+def _sections(lines: list[str]) -> dict[str, list[list[str]]]:
+    """Rows of each section by its title."""
+    delimiter = "\t" if sum("\t" in line for line in lines[:10]) > 2 else ","
+    out: dict[str, list[list[str]]] = {}
+    title = ""
+    for row in csv.reader(lines, delimiter=delimiter):
+        if row and row[0].strip() in _SECTIONS and not any(c.strip() for c in row[1:]):
+            title = row[0].strip()
+        if title and any(c.strip() for c in row):
+            out.setdefault(title, []).append(row)
+    return out
+
+
+# ---- qualisys Track Manager's TSV export of 3D data
+
+_QUALISYS_TIME = "%Y-%m-%d, %H:%M:%S.%f"
+
+
+def read_qualisys(path: Path, lines: list[str]) -> ReferenceRecording:
+    """Millimetres; a point at exactly (0, 0, 0) is missing, as Qualisys writes it.
+
+    Raises FileError.
+    """
+    header: dict[str, list[str]] = {}
+    events: list[list[str]] = []
+    begin = len(lines)
+    for i, line in enumerate(lines):
+        cells = [c.strip() for c in line.rstrip("\r\n").split("\t")]
+        if cells[0] and np.isfinite(number(cells[0])):
+            begin = i
+            break
+        if cells[0] == "EVENT":
+            events.append(cells[1:])
+        elif cells[0]:
+            header[cells[0]] = cells[1:]
+    names = tuple(n for n in header.get("MARKER_NAMES", []) if n)
+    rate = number((header.get("FREQUENCY") or [""])[0])
+    if not names or not rate > 0:
+        raise FileError(notice("reference.no_rate", file=path))
+    ahead = 2 if header.get("Frame", [""])[:1] == ["Time"] else 0
+    rows = [line.rstrip("\r\n").split("\t") for line in lines[begin:] if line.strip()]
+    table = numbers(rows, ahead + 3 * len(names))
+    points = triples(table, range(ahead, ahead + 3 * len(names), 3)) * 1e-3
+    points = np.where((points == 0).all(axis=2, keepdims=True), np.nan, points)
+    t = table[:, 1] if ahead else np.arange(len(table)) / rate
+    pulses = tuple(ReferencePulse(number(e[2]), e[0]) for e in events if len(e) > 2)
+    start = _start(header.get("TIME_STAMP", []))
+    return ReferenceRecording("Qualisys TSV", names, t, points, start, pulses).checked(path)
+
+
+def _start(cells: list[str]) -> datetime | None:
+    """TIME_STAMP is the computer's local time of the first frame."""
+    try:
+        return datetime.strptime(cells[0], _QUALISYS_TIME)
+    except (IndexError, ValueError):
+        return None
+
+
+# ---- optiTrack Motive's CSV export: markers, and positions of bones and rigid bodies
+
+_PREFERRED = ("Marker", "Bone Marker", "Rigid Body Marker", "Bone", "Rigid Body")
+_OPTITRACK_TIME = "%Y-%m-%d %I.%M.%S.%f %p"
+Columns = dict[str, int]
+
+
+def read_optitrack(path: Path, lines: list[str]) -> ReferenceRecording:
+    """``lines`` of the file. Of a marker, a bone and a rigid body of one name, the first is used.
+
+    Raises FileError.
+    """
+    head = next(csv.reader(lines[:1]))
+    header = dict(zip(head[::2], head[1::2], strict=False))
+    rows = list(csv.reader(lines))
+    top = next((i for i, r in enumerate(rows) if r[:1] == ["Frame"]), None)
+    if top is None or top < 2:
+        raise FileError(
+            notice("reference.not_readable", file=path, why="its columns have no names")
+        )
+    columns = _columns(rows[:top], rows[top])
+    if not columns:
+        raise FileError(notice("reference.empty", file=path))
+    body = [r for r in rows[top + 1 :] if r and np.isfinite(number(r[0]))]
+    table = numbers(body, max(columns.values()) + 3)
+    points = triples(table, list(columns.values()))
+    points *= metres(header.get("Length Units", "Meters"), path)
+    start = _optitrack_start(header.get("Capture Start Time", ""))
+    return ReferenceRecording("OptiTrack CSV", tuple(columns), table[:, 1], points, start).checked(
+        path
+    )
+
+
+def _columns(above: list[list[str]], axes: list[str]) -> Columns:
+    """First column of each point's position by name."""
+    labelled = {row[1].strip(): row for row in above if len(row) > 2 and row[1].strip()}
+    kinds, names = labelled.get("Type", []), labelled.get("Name", [])
+    what = next((r for r in reversed(above) if "Position" in r), [])
+    found: dict[str, dict[str, int]] = {}
+    for c in range(2, len(axes)):
+        if axes[c].strip() != "X" or c >= len(names) or c >= len(what) or what[c] != "Position":
+            continue
+        kind = kinds[c].strip() if c < len(kinds) else ""
+        found.setdefault(names[c].strip(), {}).setdefault(kind, c)
+    order = {kind: i for i, kind in enumerate(_PREFERRED)}
+    return {
+        name: min(of.items(), key=lambda item: order.get(item[0], len(order)))[1]
+        for name, of in found.items()
+    }
+
+
+def _optitrack_start(text: str) -> datetime | None:
+    try:
+        return datetime.strptime(text.strip(), _OPTITRACK_TIME)
+    except ValueError:
+        return None

@@ -11,9 +11,9 @@ from numpy.testing import assert_allclose
 
 from extensions.reference.importing import ReferenceImportOptions, import_reference
 from extensions.reference.mapping import read_mapping
-from extensions.reference.page import replay
 from extensions.reference.recognition import mapping_template, recognise
 from extensions.reference.remarks import remarks
+from extensions.reference.report import replay
 from extensions.reference.session import Described, read_imported
 from extensions.reference.tests.conftest import Wearer
 from extensions.reference.tests.laboratory import FAULTY, Laboratory, markers, write_c3d

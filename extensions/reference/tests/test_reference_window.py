@@ -16,8 +16,7 @@ from extensions.reference.importing import ReferenceImportOptions
 from extensions.reference.tests.conftest import Wearer
 from extensions.reference.tests.laboratory import FAULTY, write_c3d
 from extensions.reference.window.accuracy_dialog import AccuracyDialog
-from extensions.reference.window.import_dialog import ImportDialog
-from extensions.reference.window.import_form import ImportForm
+from extensions.reference.window.import_dialog import ImportDialog, ImportForm
 from tests.notices import shows
 from tracker.messages import Array
 from tracker.session.reader import SessionReader

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from extensions.robot.touch import AGAIN, LASTS_MS, LEAST, MOST, TouchMotors, amplitude
+from extensions.robot.window.job import AGAIN, LASTS_MS, LEAST, MOST, TouchMotors, amplitude
 
 
 def commands_for(forces: list[np.ndarray], dt: float = 0.01) -> list[tuple[int, int, int]]:

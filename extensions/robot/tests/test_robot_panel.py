@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from extensions.robot.look import Placed, RobotShape
-from extensions.robot.window.playback import RobotPlayback
+from extensions.robot.window.job import RobotPlayback
 from extensions.robot.window.view_model import RobotFigures, RobotView
 from tests.gui.gui_fakes import (
     ScriptedEngine,

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from extensions.robot.scene import BALL, CUBE, CYLINDER
+from extensions.robot.server import NO_FINGER, RobotShape, poses, shape_of
 from extensions.robot.settings import RobotSettings
-from extensions.robot.shape import NO_FINGER, RobotShape, poses, shape_of
 from extensions.robot.tests.hands import shadow
 from extensions.robot.world import RobotWorld
 

@@ -9,9 +9,12 @@ from __future__ import annotations
 
 import json
 from collections import deque
+from collections.abc import Callable, Iterator
 from dataclasses import asdict, replace
+from pathlib import Path
 from typing import Protocol
 
+import numpy as np
 from PySide6.QtCore import QObject, Qt, Signal
 
 from app.engines.engine import EngineSetup
@@ -26,12 +29,12 @@ from extensions.robot.library import need_mujoco
 from extensions.robot.payload import state_payload
 from extensions.robot.process import Answer, RobotFailed, RobotMoved, RobotProcess, RobotReady
 from extensions.robot.settings import RobotSettings, settings_of
-from extensions.robot.touch import TouchMotors
-from extensions.robot.window.playback import RobotPlayback
 from extensions.robot.window.view_model import RobotFigures, RobotView
 from tracker.base.clock import monotonic
-from tracker.base.errors import GlovetrackError
-from tracker.messages import Estimate, RobotModel, RobotState
+from tracker.base.errors import FileError, GlovetrackError
+from tracker.messages import Array, Estimate, RobotModel, RobotState
+from tracker.session.decode_robot import read_robot, robot_model, robot_names
+from tracker.session.reader import SessionReader
 from tracker.streaming.datagram import DatagramSocket
 from tracker.streaming.publisher import LOOPBACK
 
@@ -260,3 +263,88 @@ class RobotLink(QObject):
                 out.send(json.dumps(payload, separators=(",", ":")).encode())
             except OSError:
                 return  # no receiver or a full buffer: the next state is newer anyway
+
+
+# ---- haptic feedback: forces on the robot's fingertips become commands to the glove's motors
+
+AGAIN = 0.05  # s between commands to a motor while a tip presses
+LASTS_MS = 80  # longer than `AGAIN`, so that a motor does not pause while a tip presses
+LEAST_FORCE, MOST_FORCE = 0.1, 8.0  # N: threshold and full amplitude
+LEAST, MOST = 60, 255  # amplitudes at which a motor starts to turn and turns fastest
+SUDDEN = 1.5  # times the last force: sent at once
+
+Vibrate = Callable[[int, int, int], object]
+"""Takes the motor's channel (thumb 0), amplitude 0..255 and duration in ms."""
+
+
+class TouchMotors:
+    """Sends fingertip forces to motors, at most 20 times a second each unless a force grows."""
+
+    def __init__(self, vibrate: Vibrate) -> None:
+        self._vibrate = vibrate
+        self._sent_at = np.full(5, -np.inf)
+        self._sent = np.zeros(5)
+
+    def feel(self, t: float, force: Array) -> None:
+        """Take the forces (5,) N at ``t`` s, thumb first."""
+        for channel, newton in enumerate(force):
+            if newton < LEAST_FORCE:
+                self._sent[channel] = 0.0
+                continue
+            grew = newton > SUDDEN * self._sent[channel]
+            if grew or t - self._sent_at[channel] >= AGAIN or t < self._sent_at[channel]:
+                self._sent_at[channel], self._sent[channel] = t, newton
+                self._vibrate(channel, amplitude(float(newton)), LASTS_MS)
+
+
+def amplitude(newton: float) -> int:
+    """Amplitude of a force. It grows with the square root, as the sensation does (Stevens)."""
+    share = min(max(newton - LEAST_FORCE, 0.0) / (MOST_FORCE - LEAST_FORCE), 1.0)
+    return round(LEAST + (MOST - LEAST) * share**0.5)
+
+
+# ---- states of the recorded robot of a replayed session, for the instant that is shown
+
+LEAD = 0.1  # s before the instant at which reading starts
+JUMP = 2.0  # s: for larger steps ahead the reader seeks instead of reading on
+SAME = 1e-6  # s
+
+
+class RobotPlayback:
+    """Reads the first robot of a session; fast for successive instants."""
+
+    def __init__(self, reader: SessionReader, name: str) -> None:
+        self._reader, self._name = reader, name
+        self.model: RobotModel = robot_model(reader, name)
+        self._coming: Iterator[RobotState] = iter(())
+        self._last: RobotState | None = None
+        self._next: RobotState | None = None
+        self._t = float("inf")
+
+    @staticmethod
+    def of(path: Path) -> RobotPlayback | None:
+        """None if the session has no robot or does not describe it."""
+        reader = SessionReader(path)
+        try:
+            names = robot_names(reader)
+            if names:
+                return RobotPlayback(reader, names[0])
+        except FileError:
+            reader.close()
+            return None
+        reader.close()
+        return None
+
+    def at(self, t: float) -> RobotState | None:
+        """The last state at or before ``t`` s; None before the first."""
+        if not self._t <= t < self._t + JUMP:
+            found = read_robot(self._reader, self._name, t - LEAD)
+            self._coming = (m for m in found if isinstance(m, RobotState))
+            self._last, self._next = None, next(self._coming, None)
+        self._t = t
+        while self._next is not None and self._next.t <= t + SAME:
+            self._last, self._next = self._next, next(self._coming, None)
+        return self._last
+
+    def close(self) -> None:
+        self._reader.close()

@@ -21,8 +21,8 @@ from scipy.spatial.transform import Rotation
 from extensions.osc.vmc_pose import unity_pose
 from extensions.room import alignment_file
 from extensions.room.alignment import Alignment
+from extensions.room.doors import NatNetError, protocol_version, rigid_bodies
 from extensions.room.frames import UPRIGHT, from_unity
-from extensions.room.natnet import NatNetError, protocol_version, rigid_bodies
 from tests.notices import raises
 from tracker.base.clock import monotonic
 from tracker.base.errors import ConfigError
@@ -246,7 +246,7 @@ def test_a_stand_in_for_motive_is_asked_and_read(
         motive.bind((LOOPBACK, 0))
         motive.settimeout(60)
         port = motive.getsockname()[1]
-        monkeypatch.setattr("extensions.room.natnet.COMMAND_PORT", port)
+        monkeypatch.setattr("extensions.room.doors.COMMAND_PORT", port)
         with opened(hands, "natnet", server=LOOPBACK, group="", right="7") as door:
             data, client = motive.recvfrom(1000)
             assert struct.unpack_from("<H", data)[0] == 0 and client[1] == door.port

@@ -19,9 +19,9 @@ from extensions.room.taker import ReceivedPoses
 from extensions.room.tests.test_alignment import DELAY, IN_PLACE, TRUE, errors
 from extensions.room.tests.turning import Turning
 from extensions.room.tests.vrpn_server import VrpnServer, pose
-from extensions.room.window import guided
+from extensions.room.window import align_box
+from extensions.room.window.align_box import GuidedMovement, MovementPhase
 from extensions.room.window.dialog import RoomDialog
-from extensions.room.window.guided import GuidedMovement, MovementPhase
 from extensions.room.window.listening import Listened, tracker_lines, verdict
 from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup
 from tests.notices import raises, shows
@@ -30,7 +30,7 @@ from tracker.messages import ImuSample, WristPose
 from tracker.simulation.scenario import Simulation
 
 PATIENCE_MS = 60_000  # on a loaded computer
-LASTS = guided.STILL_S + guided.TURN_S + 0.6
+LASTS = align_box.STILL_S + align_box.TURN_S + 0.6
 
 
 class Clock:

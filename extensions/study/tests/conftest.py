@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from extensions.study.command_runs import run_headless
 from extensions.study.folder import Study, open_study, start_study
-from extensions.study.headless import run_headless
 from extensions.study.tests.studies import QUICK, write_protocol
 from tests.gui.conftest import no_leaks, qtbot, store, window
 from tests.made_once import made_once

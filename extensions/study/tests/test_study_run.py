@@ -12,8 +12,8 @@ from pathlib import Path
 
 import pytest
 
+from extensions.study.command_runs import run_headless
 from extensions.study.folder import Study, open_study, start_study
-from extensions.study.headless import run_headless
 from extensions.study.progress import ACCEPTED, DONE, FAILED, OPEN, RECORDING, Progress, locked
 from extensions.study.schedule import TRIAL
 from extensions.study.tests.studies import SHORT, write_protocol

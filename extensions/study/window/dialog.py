@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import os
 import shutil
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import ExitStack
+from datetime import UTC, datetime
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 from PySide6.QtCore import Qt, QTimer, QUrl
 from PySide6.QtGui import QDesktopServices, QPixmap
@@ -20,20 +23,24 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
 )
 
+from app.engines.engine_host import EngineHost
+from app.engines.protocols import RecordingRequest
 from app.panels.command_kind import CommandContext
+from app.platform.subprocess_job import run_in_subprocess
+from app.platform.tasks import Job, JobProgress
 from app.window.contributions import COMMANDS
 from app.words import error_text
 from extensions.study.conductor import Conductor, TrialPhase
-from extensions.study.folder import STORED, Study
+from extensions.study.folder import STORED, Study, open_study
 from extensions.study.progress import FINISHED, locked
-from extensions.study.protocol import is_picture
+from extensions.study.protocol import TrialLimits, is_picture
+from extensions.study.results import write_report
 from extensions.study.schedule import ScheduleStep
-from extensions.study.verdict import TrialVerdict
-from extensions.study.window.job import report_job, verdict_job
-from extensions.study.window.station import HostStation
+from extensions.study.verdict import TrialVerdict, judge, stored
 from extensions.study.window.view_model import ShownStep, shown
 from tracker.base.clock import monotonic
-from tracker.base.errors import GlovetrackError
+from tracker.base.errors import DeviceError, FileError, GlovetrackError
+from tracker.base.notices import failure
 
 TICK_MS = 33
 CUE_PT, TITLE_PT, DETAIL_PT = 34, 16, 13
@@ -300,3 +307,69 @@ def _link(path: Path, own: Path) -> None:
         os.link(path, own)
     except OSError:
         shutil.copyfile(path, own)
+
+
+# ---- background jobs of a study: the verdict on a trial, and the report
+
+
+def verdict_job(path: Path, step: ScheduleStep, limits: TrialLimits) -> Job:
+    """A job that returns the `TrialVerdict` on a recording."""
+
+    def run(progress: JobProgress) -> TrialVerdict:
+        work = partial(_judge, path, step, limits)
+        return stored(run_in_subprocess("verdict", work, progress))
+
+    return run
+
+
+def _judge(
+    path: Path, step: ScheduleStep, limits: TrialLimits, _: Callable[..., None]
+) -> dict[str, Any]:
+    return judge(path, step, limits).as_json()
+
+
+def report_job(folder: Path) -> Job:
+    """A job that writes the report of a study, and returns its path."""
+
+    def run(progress: JobProgress) -> Path:
+        out: Path = run_in_subprocess("study-report", partial(_report, folder), progress)
+        return out
+
+    return run
+
+
+def _report(folder: Path, _: Callable[..., None]) -> Path:
+    return write_report(open_study(folder), folder / "report")
+
+
+# ---- records trials with the window's engine
+
+
+class HostStation:
+    """A `Station`. ``touch`` begins a touch test, which records itself."""
+
+    def __init__(self, host: EngineHost, touch: Callable[[ScheduleStep], bool]) -> None:
+        self._host, self._touch = host, touch
+
+    def begin(self, path: Path, step: ScheduleStep) -> None:
+        """Begin a file. Raises DeviceError without a running engine, FileError."""
+        if self._touch(step):
+            return
+        if not self._host.running or not self._host.recording.is_possible:
+            raise DeviceError(failure("study.no_engine"))
+        request = RecordingRequest(path, step.participant, step.task)
+        if not self._host.recording.begin(request):
+            raise FileError(self._host.recording.refusal or failure("study.no_recording"))
+
+    def note(self, text: str, data: Mapping[str, object]) -> None:
+        """Write a note."""
+        self._host.notes.add(text, data=data)
+
+    def end(self) -> None:
+        """End the file; ``host.recording.finished`` is emitted when it is complete."""
+        if self._host.recording.request is not None:
+            self._host.recording.end()
+
+    def stamp(self) -> str:
+        """The present date and time, UTC."""
+        return datetime.now(UTC).isoformat(timespec="seconds")

@@ -11,7 +11,7 @@ from extensions.touch.pose import SheetPose, find_sheet
 from extensions.touch.protocol import TouchCue, cues_of, touches
 from extensions.touch.rest import find_touches
 from extensions.touch.simulated.images import placed_sheet
-from extensions.touch.simulated.live import Follower
+from extensions.touch.simulated.session import Follower
 from extensions.touch.track import tip_tracks
 from extensions.touch.window.view_model import TouchPhase, TouchRun
 from tracker.cli import main

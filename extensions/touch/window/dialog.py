@@ -34,7 +34,6 @@ from app.words import error_text
 from extensions.touch.pose import SheetPose, find_sheet
 from extensions.touch.protocol import TouchCue
 from extensions.touch.window.extension import can_run
-from extensions.touch.window.job import Written, touch_job
 from extensions.touch.window.view_model import TouchPhase, TouchRun, cue_words
 from tracker.base.clock import monotonic
 from tracker.base.errors import GlovetrackError
@@ -42,7 +41,14 @@ from tracker.base.files import whole_file
 from tracker.messages import Array, Validity
 
 if TYPE_CHECKING:
-    from extensions.touch.simulated.live import Follower
+    from extensions.touch.simulated.session import Follower
+from collections.abc import Callable
+from typing import NamedTuple
+
+from app.platform.subprocess_job import run_in_subprocess
+from app.platform.tasks import Job, JobProgress
+from extensions.touch.analyse import analyse
+from extensions.touch.report import write_report
 
 TASK = "touch-test"
 PRINTING = __name__.partition(".touch.")[0] + ".sheets"  # the extension that writes PDF
@@ -194,7 +200,7 @@ class TouchDialog(QDialog):
         """Let a simulated wearer uncover the sheet."""
         wearer = self._wearer()
         if wearer is not None:
-            from extensions.touch.simulated.live import Follower  # deferred: the simulator
+            from extensions.touch.simulated.session import Follower  # deferred: the simulator
 
             self._follower = Follower()
             wearer.follow(self._follower.away, "away")
@@ -298,3 +304,34 @@ def open_dialog(on: CommandContext) -> None:
     if setup is None or not can_run(on):
         return
     on.show_dialog("touch_test", lambda: TouchDialog(on.host, setup, on.store, on.tasks, on.window))
+
+
+# ---- writes the report of a touch test in a background job
+
+
+class Written(NamedTuple):
+    """The page, and the line to quote."""
+
+    page: Path
+    line: str
+
+
+def touch_job(session: Path) -> Job:
+    """A job that returns the report `Written` next to ``session``."""
+
+    def run(progress: JobProgress) -> Written:
+        out: Written = run_in_subprocess("touch-test", partial(_write, session), progress)
+        return out
+
+    return run
+
+
+def _write(session: Path, progress: Callable[..., None]) -> Written:
+
+    result = analyse(session, watch=progress)
+    page, n = session.with_name(f"{session.stem}-touch-test.html"), 1
+    while page.exists() or page.with_suffix(".pdf").exists():
+        n += 1
+        page = session.with_name(f"{session.stem}-touch-test-{n}.html")
+    write_report(result, page)
+    return Written(page, result.line)

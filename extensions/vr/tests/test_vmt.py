@@ -16,9 +16,8 @@ from scipy.spatial.transform import Rotation
 
 from extensions.applications.tests.hands import GLOVE, HAND, estimates
 from extensions.vr.buttons import ButtonGestures
-from extensions.vr.skeleton import HELD
 from extensions.vr.tests.openvr_reader import messages, received, skeleton
-from extensions.vr.vmt import VmtDevice, VmtPublisher, driver_version
+from extensions.vr.vmt import HELD, VmtDevice, VmtPublisher, driver_version
 from tests.notices import raises
 from tests.streaming.posed_hand import posed_estimate, side_names
 from tests.streaming.recorded_hand import RecordedHand, assert_near, assert_parallel

@@ -8,35 +8,21 @@ Extensions declare theirs as entry points of the group ``glovetrack.notices``.
 from __future__ import annotations
 
 from tracker.base.catalogue import (
-    colours,
     devices,
     doctor,
-    exports,
-    imports,
-    offline,
-    options,
     sessions,
     settings,
     stereo,
-    tables,
     tracking,
-    window,
 )
 
 TEMPLATES: dict[str, str] = {
     **devices.TEXTS,
     **doctor.TEXTS,
     **tracking.TEXTS,
-    **colours.TEXTS,
     **stereo.TEXTS,
     **sessions.TEXTS,
-    **exports.TEXTS,
-    **imports.TEXTS,
-    **offline.TEXTS,
-    **options.TEXTS,
     **settings.TEXTS,
-    **tables.TEXTS,
-    **window.TEXTS,
 }
 
 WORDS = (

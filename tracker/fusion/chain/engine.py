@@ -8,18 +8,21 @@ calibration (`calibration.wearer`) and the output (`shown`).
 from __future__ import annotations
 
 import copy
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields, is_dataclass, replace
+from typing import Any
 
 import numpy as np
 
 from tracker.base.notices import Notice, notice, warning
 from tracker.base.records import record
 from tracker.fusion.ablations.variants import check_variant
-from tracker.fusion.chain.guided.holds import Hold
+from tracker.fusion.chain.bundle.solver import BundleWork
+from tracker.fusion.chain.guided.holds import Hold, ReducedRows
+from tracker.fusion.chain.guided.learning import CALIBRATION
 from tracker.fusion.chain.layout import ChainLayout
-from tracker.fusion.chain.older import complete_axes
-from tracker.fusion.chain.params import ChainParams
+from tracker.fusion.chain.params import ChainParams, PriorParams
 from tracker.fusion.chain.pose_reset import bends, is_flat
+from tracker.fusion.chain.prior import initial_covariance
 from tracker.fusion.chain.profile import WearerProfile
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.tape import Tape
@@ -245,3 +248,56 @@ class ChainEngine(WearerEngine):
         self.wearer.calibration.glove_check.restart()
         self.wearer.holds[:] = saved.holds
         self._timeline.restore(saved.timeline)
+
+
+# ---- states of recordings made before the values of fixed axes were estimated
+#
+# They continue as if nothing about the axes had been learned: with the files' values and the
+# initial uncertainty, independent of everything else. A keyframe solution in progress is started
+# again.
+
+
+def complete_axes(saved: Any, layout: ChainLayout, prior: PriorParams) -> None:
+    """Adds the values of fixed axes to all parts of ``saved`` that lack them, in place."""
+    if layout.fixed_axes:
+        variance = np.diag(initial_covariance(layout, prior))[layout.blocks.axis :].copy()
+        _complete(saved, variance)
+
+
+def _complete(part: Any, variance: Array) -> None:
+    if isinstance(part, ChainState | WearerProfile):
+        _complete_state(part, variance)
+    elif isinstance(part, ReducedRows):
+        _complete_rows(part, len(variance))
+    elif isinstance(part, list | tuple):
+        for inside in part:
+            _complete(inside, variance)
+    elif is_dataclass(part):
+        if isinstance(part, BundleWork):
+            _start_again(part)
+        for field in fields(part):
+            _complete(getattr(part, field.name), variance)
+
+
+def _complete_state(part: ChainState | WearerProfile, variance: Array) -> None:
+    if len(part.axis):
+        return
+    k = len(variance)
+    object.__setattr__(part, "axis", np.zeros(k))  # a profile is frozen
+    if len(part.P):
+        P = np.zeros((len(part.P) + k, len(part.P) + k))
+        P[:-k, :-k], P[-k:, -k:] = part.P, np.diag(variance)
+        object.__setattr__(part, "P", P)
+
+
+def _complete_rows(rows: ReducedRows, k: int) -> None:
+    if len(rows.calibration) < len(CALIBRATION):
+        rows.H = np.column_stack([rows.H, np.zeros((len(rows.H), k))])
+        rows.calibration = [*rows.calibration, np.zeros(k)]
+
+
+def _start_again(work: BundleWork) -> None:
+    if work.calibration is not None and not len(work.calibration.axis):
+        fresh = replace(BundleWork(), asked_at=work.asked_at, next_at=work.next_at)
+        for name in ("calibration", "frames", "p", "R_GB", "back", "sweep", "N", "g"):
+            setattr(work, name, getattr(fresh, name))
