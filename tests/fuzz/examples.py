@@ -14,8 +14,7 @@ from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
 from tracker.glove import library
 from tracker.messages import BlobFrame, Event, ImuSample, Message, Status, Tracking
-from tracker.sensors import cobs
-from tracker.sensors.protocol import GloveStatus, Hello, Samples, encode
+from tracker.sensors.protocol import GloveStatus, Hello, Samples, cobs_decode, encode
 from tracker.session.description import SessionInfo
 from tracker.session.mcap.container import McapOutput
 from tracker.session.mcap.input import McapInput
@@ -173,7 +172,7 @@ def examples(name: str, info: SessionInfo, topics: list[tuple[str, str, bytes]])
         return [_state()]
     if name in ("decoder", "link"):
         frames = _frames(len(info.glove.imus))
-        bodies = [cobs.decode(f[:-1])[:-2] for f in frames]
+        bodies = [cobs_decode(f[:-1])[:-2] for f in frames]
         return [b"".join(frames if name == "decoder" else [bytes([len(b)]) + b for b in bodies])]
     if name == "colours":
         return [library.text("colours", library.DEFAULT_COLOURS).encode()]

@@ -28,10 +28,9 @@ from tracker.glove.files import parse_glove
 from tracker.hand.files import parse_hand
 from tracker.messages import ImuSample
 from tracker.offline.imports.table import read_table
-from tracker.sensors import cobs
 from tracker.sensors.decoder import FrameDecoder
 from tracker.sensors.glove_link import GloveLink
-from tracker.sensors.protocol import Hello, crc16, encode
+from tracker.sensors.protocol import Hello, cobs_encode, crc16, encode
 from tracker.sensors.rig_files import load_opencv_stereo, load_zed
 from tracker.session import engine_state
 from tracker.session.description import SessionInfo
@@ -164,7 +163,7 @@ class _Port:
         while at < len(data) and len(self.left) < 400:
             body = data[at + 1 : at + 1 + data[at]]
             body += crc16(body).to_bytes(2, "little")
-            self.left.append(cobs.encode(body) + b"\0")
+            self.left.append(cobs_encode(body) + b"\0")
             at += 1 + data[at]
 
     @property

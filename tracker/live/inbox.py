@@ -3,6 +3,7 @@
 Packets go before images: one takes a tenth of the time, and a robot or a motor waits for it. On a
 computer without time to spare the queue of packets is never empty, and without any image the hand
 would be lost: after `PACKETS_BEFORE` packets an image is fed in its order of arrival.
+`GloveReader` and `CameraReader` are what the devices' threads repeat: they put messages here.
 Messages are stamped when they are fed (`tracker.live.loop.ArrivalOrder`), so a session contains the
 actual order.
 """
@@ -13,15 +14,20 @@ import math
 import threading
 from collections import deque
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import TypeVar
 
-from tracker.base.channels import Closed
+from tracker.base.channels import Closed, Latest
 from tracker.base.clock import monotonic
+from tracker.base.notices import notice, plain
 from tracker.engine.hands import Sided
 from tracker.fusion.engine import Engine
+from tracker.live.journal import Journal
+from tracker.live.telemetry import Telemetry
 from tracker.messages import BlobFrame, Event, StereoFrame, WristPose
+from tracker.sensors.motor_events import KIND as MOTOR
+from tracker.sensors.sources import CameraSource, GloveSource, ReportingGlove
 
 T = TypeVar("T")
 SIZE = 4096  # 40 s of packets
@@ -29,6 +35,7 @@ MAX_FRAMES_BEHIND = 3  # with more the hand would be shown late
 PACKETS_BEFORE = 8  # that an image waits for at least, before its order of arrival counts
 BACKLOG = 30  # packets; with more the hand is late already
 FRAME_EVERY = 0.25  # s between further images that wait with a backlog
+WAIT = 0.05  # s that a step of a reader waits for its device
 LONGEST_FRAMES = 18  # images that wait at most, 5 MB each
 
 
@@ -250,3 +257,63 @@ class PacketRhythm:
             return 0.0
         self._until = min(self._until, now + LONGEST)
         return min(max(ahead, 0.0) + LATE, self._until - now)
+
+
+# ---- what the devices' threads repeat
+
+
+class GloveReader:
+    """Passes packets to the engine's inbox and events to the journal.
+
+    ``named``: events name their glove, since there is another one.
+    """
+
+    def __init__(
+        self, glove: GloveSource, side: str, inbox: Inbox, journal: Journal, named: bool = False
+    ) -> None:
+        self._glove, self._side, self._named = glove, side, named
+        self._inbox, self._journal = inbox, journal
+
+    def step(self) -> None:
+        """Passes on what has arrived."""
+        for item in self._glove.poll(WAIT):
+            if isinstance(item, Event) and item.kind == MOTOR:
+                self._inbox.put(MotorCommand(item, self._side))
+            elif isinstance(item, Event):
+                self._journal.add(self._of_side(item) if self._named else item)
+            else:
+                self._inbox.put(Sided(item, self._side))
+
+    def _of_side(self, event: Event) -> Event:
+        what = event.notice or plain(event.text)
+        left, right = notice("glove.of_left", what=what), notice("glove.of_right", what=what)
+        named = (left if self._side == "left" else right).with_severity(what.severity)
+        return replace(event, text=str(named), notice=named)
+
+    def figures(self) -> dict[str, float]:
+        """Battery, counters and clock, of a glove that reports them."""
+        return self._glove.figures.values() if isinstance(self._glove, ReportingGlove) else {}
+
+
+class CameraReader:
+    """Images go to the vision thread, which may miss some, and onto the disk, which does not."""
+
+    def __init__(
+        self,
+        camera: CameraSource,
+        images: Latest[StereoFrame],
+        journal: Journal,
+        telemetry: Telemetry,
+    ) -> None:
+        self._camera, self._images = camera, images
+        self._journal, self._telemetry = journal, telemetry
+
+    def step(self) -> None:
+        """Take the next image pair."""
+        frame = self._camera.read(WAIT)
+        for event in self._camera.drain_events():
+            self._journal.add(event)
+        if frame is not None:
+            self._telemetry.tick("frame", frame.t_arrival)
+            self._journal.record(frame)
+            self._images.put(frame)

@@ -24,14 +24,21 @@ from tracker.live.colours import FollowedColours
 from tracker.live.frame_results import ShownFrame
 from tracker.live.hand import Follower
 from tracker.live.history import SearchedImage
-from tracker.live.inbox import EngineCommand, GuidedCommand, Inbox, ResetCommand
+from tracker.live.inbox import (
+    CameraReader,
+    EngineCommand,
+    GloveReader,
+    GuidedCommand,
+    Inbox,
+    ResetCommand,
+)
 from tracker.live.journal import Journal
 from tracker.live.listeners import ListenedHand, Listener, ListenerKind, LiveAccess, Vibrate
 from tracker.live.loop import LiveLoop
 from tracker.live.recording import Recorder
 from tracker.live.right_of_way import RightOfWay
 from tracker.live.telemetry import Telemetry
-from tracker.live.threads import CameraReader, GloveReader, ThreadGroup
+from tracker.live.threads import ThreadGroup
 from tracker.live.vision import Vision
 from tracker.messages import (
     Calibration,

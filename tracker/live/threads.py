@@ -6,79 +6,11 @@ import logging
 import threading
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 
-from tracker.base.channels import Closed, Latest
+from tracker.base.channels import Closed
 from tracker.base.errors import GlovetrackError
-from tracker.base.notices import Notice, failure, notice, plain
+from tracker.base.notices import Notice, failure
 from tracker.base.urgency import run_soon
-from tracker.engine.hands import Sided
-from tracker.live.inbox import Inbox, MotorCommand
-from tracker.live.journal import Journal
-from tracker.live.telemetry import Telemetry
-from tracker.messages import Event, StereoFrame
-from tracker.sensors.motor_events import KIND as MOTOR
-from tracker.sensors.sources import CameraSource, GloveSource, ReportingGlove
-
-WAIT = 0.05  # s that a step waits for its device
-
-
-class GloveReader:
-    """Passes packets to the engine's inbox and events to the journal.
-
-    ``named``: events name their glove, since there is another one.
-    """
-
-    def __init__(
-        self, glove: GloveSource, side: str, inbox: Inbox, journal: Journal, named: bool = False
-    ) -> None:
-        self._glove, self._side, self._named = glove, side, named
-        self._inbox, self._journal = inbox, journal
-
-    def step(self) -> None:
-        """Passes on what has arrived."""
-        for item in self._glove.poll(WAIT):
-            if isinstance(item, Event) and item.kind == MOTOR:
-                self._inbox.put(MotorCommand(item, self._side))
-            elif isinstance(item, Event):
-                self._journal.add(self._of_side(item) if self._named else item)
-            else:
-                self._inbox.put(Sided(item, self._side))
-
-    def _of_side(self, event: Event) -> Event:
-        what = event.notice or plain(event.text)
-        left, right = notice("glove.of_left", what=what), notice("glove.of_right", what=what)
-        named = (left if self._side == "left" else right).with_severity(what.severity)
-        return replace(event, text=str(named), notice=named)
-
-    def figures(self) -> dict[str, float]:
-        """Battery, counters and clock, of a glove that reports them."""
-        return self._glove.figures.values() if isinstance(self._glove, ReportingGlove) else {}
-
-
-class CameraReader:
-    """Images go to the vision thread, which may miss some, and onto the disk, which does not."""
-
-    def __init__(
-        self,
-        camera: CameraSource,
-        images: Latest[StereoFrame],
-        journal: Journal,
-        telemetry: Telemetry,
-    ) -> None:
-        self._camera, self._images = camera, images
-        self._journal, self._telemetry = journal, telemetry
-
-    def step(self) -> None:
-        """Take the next image pair."""
-        frame = self._camera.read(WAIT)
-        for event in self._camera.drain_events():
-            self._journal.add(event)
-        if frame is not None:
-            self._telemetry.tick("frame", frame.t_arrival)
-            self._journal.record(frame)
-            self._images.put(frame)
-
 
 _log = logging.getLogger(__name__)
 

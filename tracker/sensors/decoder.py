@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from tracker.sensors import cobs
 from tracker.sensors.protocol import (
+    CobsError,
     Frame,
     LengthError,
     UnknownType,
+    cobs_decode,
     crc16,
     parse,
 )
@@ -76,8 +77,8 @@ class FrameDecoder:
             self.counters.oversize += 1
             return None
         try:
-            body = cobs.decode(chunk)
-        except cobs.CobsError:
+            body = cobs_decode(chunk)
+        except CobsError:
             self.counters.cobs_errors += 1
             return None
         if len(body) < MIN_BODY_BYTES:

@@ -15,8 +15,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.sensors import cobs
-
 VERSION = 1
 MAX_IMUS = 16  # as many as STATUS has bits for
 RATES_HZ = (50, 100, 200)
@@ -167,7 +165,7 @@ def encode(frame: Frame) -> bytes:
     """The bytes of a frame with its closing zero."""
     kind, pack, _ = _CODECS[type(frame)]
     body = bytes([kind]) + pack(frame)
-    return cobs.encode(body + crc16(body).to_bytes(2, "little")) + b"\0"
+    return cobs_encode(body + crc16(body).to_bytes(2, "little")) + b"\0"
 
 
 def parse(body: bytes) -> Frame:
@@ -287,3 +285,49 @@ _CODECS: dict[type, tuple[int, Callable[..., bytes], Callable[[bytes], Frame]]] 
     ),
 }
 _PARSERS = {kind: unpack for kind, _, unpack in _CODECS.values()}
+
+
+# ---- Consistent Overhead Byte Stuffing (Cheshire & Baker 1999, doi:10.1109/90.769765)
+#
+# It rewrites bytes so that no zero is left, for at most one byte more in 254; a zero then ends a
+# frame regardless of the preceding bytes.
+
+MAX_RUN = 254
+
+
+class CobsError(ValueError):
+    """The bytes are not a COBS encoding."""
+
+
+def cobs_encode(data: bytes) -> bytes:
+    """``data`` without zeros (the closing zero is not added)."""
+    out = bytearray()
+    blocks = data.split(b"\0")
+    for n, block in enumerate(blocks):
+        last = n == len(blocks) - 1
+        while len(block) >= MAX_RUN:
+            out += b"\xff" + block[:MAX_RUN]
+            block = block[MAX_RUN:]
+            if last and not block:
+                return bytes(out)  # a full run at the end encodes no zero
+        out.append(len(block) + 1)
+        out += block
+    return bytes(out)
+
+
+def cobs_decode(data: bytes) -> bytes:
+    """Inverts `cobs_encode`. Raises CobsError for an empty text, a zero or a run cut short."""
+    if not data or 0 in data:
+        raise CobsError("empty, or a zero inside")
+    out = bytearray()
+    i, n = 0, len(data)
+    while i < n:
+        code = data[i]
+        end = i + code
+        if end > n:
+            raise CobsError("a run goes past the end")
+        out += data[i + 1 : end]
+        i = end
+        if code <= MAX_RUN and i < n:
+            out.append(0)
+    return bytes(out)
