@@ -409,7 +409,7 @@ from glovetrack.tracker.streaming.remote.registry import DOORS, open_door
 notes, points = [], np.zeros((22, 3))
 live = SimpleNamespace(record=notes.append)
 listener = LISTENERS.get("raised").make(ListenedHand(*load("vist-small"), live))
-for k, height in enumerate((0.1, 0.3, 0.22, 0.3, float("nan"), 0.1, 0.3)):
+for k, height in enumerate((0.9, 1.1, 0.97, 1.1, float("nan"), 0.9, 1.1)):
     points[:, 2] = height
     listener.feed(SimpleNamespace(t=float(k), keypoints=points.copy()), 0.0)
 print([(note.t, note.text) for note in notes])

@@ -6,7 +6,7 @@ import math
 
 from glovetrack.listeners import Estimate, Event, ListenedHand, ListenerKind
 
-HEIGHT, RELEASE = 0.25, 0.20  # m above the origin; the hand must fall below the second one
+HEIGHT, RELEASE = 1.0, 0.95  # m above the origin; the hand must fall below the second one
 
 
 class RaisedListener:
