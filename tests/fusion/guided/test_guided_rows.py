@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tracker.fusion.chain.distal import DistalSegments, Synergies
-from tracker.fusion.chain.guided.rows import PoseRows
+from tracker.fusion.chain.guided.learning import PoseRows
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import GuidedParams, SynergyParams
 from tracker.fusion.chain.state import ChainState, initial_state, inject
