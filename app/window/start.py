@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 import os
-import re
 import signal
-import socket
 import subprocess
 import sys
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
 
 from PySide6.QtCore import QEventLoop, QProcess, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QIcon
@@ -24,6 +21,7 @@ from app.engines.demo_camera import DemoChoice, start_camera
 from app.panels.command_kind import CommandContext
 from app.platform.crash import CrashWatch, log_folder, log_to_file
 from app.platform.process_tuning import collection_postponed, tune_process
+from app.platform.screens import PLATFORM, has_screen
 from app.platform.single_instance import Instance, hand_over
 from app.platform.translation import install
 from app.storage.settings import SettingsStore
@@ -228,58 +226,6 @@ def close_on_signals(window: QWidget) -> None:
 def use_offscreen() -> None:
     """Let Qt paint into memory."""
     os.environ[PLATFORM] = "offscreen"
-
-
-# ---- check for a screen before Qt is started: Qt ends the program without one
-
-PLATFORM = "QT_QPA_PLATFORM"
-TIMEOUT = 3.0  # s to connect to a screen on another computer
-X_PORT = 6000
-Address = tuple[str, int] | str
-"""Host and port, or the path of a local socket."""
-
-
-def answers(address: Address) -> bool:
-    """Whether a server listens at the address."""
-    family = socket.AF_UNIX if isinstance(address, str) else socket.AF_INET
-    try:
-        if not isinstance(address, str):
-            socket.create_connection(address, TIMEOUT).close()
-            return True
-        with socket.socket(family, socket.SOCK_STREAM) as line:
-            line.connect(address)
-        return True
-    except OSError:
-        return False
-
-
-def addresses(environment: Mapping[str, str]) -> Iterator[Address]:
-    """Addresses of the screens that the environment names."""
-    found = re.fullmatch(r"(?:(.*)/)?(.*):(\d+)(?:\.\d+)?", environment.get("DISPLAY", ""))
-    if found is not None:
-        _, host, number = found.groups()
-        if host in ("", "unix"):
-            yield f"/tmp/.X11-unix/X{number}"
-            yield f"\0/tmp/.X11-unix/X{number}"
-        else:
-            yield host.strip("[]"), X_PORT + int(number)
-    wayland = environment.get("WAYLAND_DISPLAY", "")
-    if wayland:
-        yield str(Path(environment.get("XDG_RUNTIME_DIR", "")) / wayland)
-
-
-def has_screen(
-    environment: Mapping[str, str] = os.environ,
-    system: str = sys.platform,
-    listens: Callable[[Address], bool] = answers,
-) -> bool:
-    """Whether Qt will find a screen, or is configured to run without one."""
-    if not system.startswith("linux"):
-        return True
-    platform = environment.get(PLATFORM, "").partition(":")[0]
-    if platform and not platform.startswith(("xcb", "wayland")):
-        return True
-    return any(listens(address) for address in addresses(environment))
 
 
 # ---- the progress window while kernels are compiled at the first start from source, and after an

@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 from PySide6.QtWidgets import QWidget
 
-from app.window.start import ENDS, answers, close_on_signals, has_screen
+from app.platform.screens import answers, has_screen
+from app.window.start import ENDS, close_on_signals
 from tests.gui.environments import without_screen
 
 ROOT = Path(__file__).resolve().parents[2]

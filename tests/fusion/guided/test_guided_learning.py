@@ -15,11 +15,10 @@ from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, Event, ImuSample
 from tracker.session.engine_state import pack, unpack
-from tracker.simulation.end_joints import THUMB
 from tracker.simulation.guided import GuidedPoses, with_events
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation, SimulationParams
-from tracker.simulation.wearer import Wearer, WearerParams
+from tracker.simulation.wearer import THUMB, Wearer, WearerParams
 
 BENT = np.deg2rad(18.0)  # bend of this wearer's thumb beyond that of most people
 
