@@ -34,7 +34,8 @@ from tracker.simulation.scenario import Simulation, SimulationParams
 from tracker.simulation.scene import Extra
 from tracker.vision.colours import ColourProfile, load_profile
 from tracker.vision.cpd import HuedPixels, parallax_em
-from tracker.vision.detector import DetectionHints, Detector, DetectorParams
+from tracker.vision.detector import Detector, DetectorParams
+from tracker.vision.hints import DetectionHints
 from tracker.vision.rig import ideal_rig
 from tracker.vision.stereo import StereoParams, match_stereo
 

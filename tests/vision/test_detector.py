@@ -11,11 +11,11 @@ from tracker.messages import CameraPose, StereoFrame
 from tracker.vision.colours import ColourProfile, HueRange, ShapeLimits
 from tracker.vision.components import Scan, axes, fill, hull, moments, run_buffer
 from tracker.vision.detector import (
-    DetectionHints,
     Detector,
     DetectorParams,
     detect_frame,
 )
+from tracker.vision.hints import DetectionHints
 from tracker.vision.hue_table import hue_table
 
 BGR = {

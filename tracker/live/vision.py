@@ -12,7 +12,8 @@ from tracker.messages import Shed, StereoFrame
 from tracker.online.flicker_watch import FlickerWatch
 from tracker.sensors.image_watch import SilenceWatch
 from tracker.vision.colours import ColourProfile
-from tracker.vision.detector import DetectionHints, Detector, detect_frame
+from tracker.vision.detector import Detector, detect_frame
+from tracker.vision.hints import DetectionHints
 from tracker.vision.region_prediction import SearchPlan
 
 WAIT = 0.05  # s that a step waits for an image

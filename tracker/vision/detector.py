@@ -17,11 +17,12 @@ from numpy.typing import NDArray
 from tracker.base.errors import GlovetrackError
 from tracker.base.notices import notice
 from tracker.kernels.arrays import Int32Matrix
-from tracker.messages import Array, BlobFrame, Blobs, IntArray, RejectedBlobs, StereoFrame
+from tracker.messages import BlobFrame, Blobs, IntArray, RejectedBlobs, StereoFrame
 from tracker.vision import search
 from tracker.vision.cloth import cloth_around
 from tracker.vision.colours import ColourProfile
 from tracker.vision.components import Scan, run_buffer
+from tracker.vision.hints import DetectionHints
 from tracker.vision.hue_table import hue_table
 from tracker.vision.shape_tests import (
     ExpectedBlobs,
@@ -31,6 +32,7 @@ from tracker.vision.shape_tests import (
     parted,
     windows_around,
 )
+from tracker.vision.touching import missing, near_them, with_new, without_edges
 
 Image = NDArray[np.uint8]
 REASONS = (
@@ -57,20 +59,6 @@ class DetectorParams:
     farthest: float = 0.90  # m
 
 
-@dataclass(frozen=True, eq=False)
-class DetectionHints:
-    """Predicted markers of one image, in pixels as recorded.
-
-    uv (n, 2); radius_px (n,) within which the marker certainly is; hue (n,) index into the
-    profile's hues; size_px (n,) expected extent of a marker seen head-on, None where unknown.
-    """
-
-    uv: Array
-    radius_px: Array
-    hue: IntArray
-    size_px: Array | None = None
-
-
 class Detector:
     """A detector for one colour profile. Calls are independent of each other and may be concurrent.
 
@@ -86,7 +74,7 @@ class Detector:
     ) -> None:
         self.profile = profile
         self._table = hue_table(profile)
-        self._scratch = _Scratch()
+        self._scratch, self._part = _Scratch(), _Scratch()
         self._set(params or DetectorParams(), marker_size * fx)
 
     def _set(self, params: DetectorParams, metre_px: float) -> None:
@@ -141,7 +129,26 @@ class Detector:
         found = Sorted(*parted(rows, first_failure(rows, self._limits, _expected(hints))))
         why = tuple(REASONS[k] for k in found.reason.tolist())
         blobs = Blobs(found.uv, found.size, found.hue, found.score)
+        if hints is not None and self.profile.learned is not None:
+            blobs = self._with_touching(scan, blobs, hints)
         return blobs, RejectedBlobs(found.other_uv, found.other_hue, why)
+
+    def _with_touching(self, whole: Scan, blobs: Blobs, hints: DetectionHints) -> Blobs:
+        """Adds the predicted markers that were not found because they touch something of their own
+        colour: regions that are separate without the pixels on edges."""
+        missed = missing(hints, blobs, whole)
+        if not len(missed.uv):
+            return blobs
+        cut, corner = without_edges(whole.image, missed)
+        height, width = cut.shape[:2]
+        visited, mark = self._part.visited(height, width, len(self.profile.hue_names))
+        extent = int(LARGE * self._limits.longest)
+        scan = Scan(cut, self._table, visited, mark, self._scratch.runs(extent), extent)
+        there = replace(missed, uv=missed.uv - corner)
+        windows = self._windows(width, height, near_them(there))
+        rows = search.find_regions(scan, windows, self.params.min_area_px)
+        found = Sorted(*parted(rows, first_failure(rows, self._limits, _expected(there))))
+        return with_new(blobs, Blobs(found.uv + corner, found.size, found.hue, found.score), missed)
 
     def _windows(self, width: int, height: int, hints: DetectionHints | None) -> IntArray:
         """Rows (first and last column, first and last row, stride) of the regions to scan for

@@ -12,7 +12,7 @@ from tracker.kernels import kernel
 from tracker.kernels.arrays import IntVector, Matrix, Vector
 from tracker.messages import Array, CameraPose, IntArray
 from tracker.vision.colours import hue_rows
-from tracker.vision.detector import DetectionHints
+from tracker.vision.hints import DetectionHints
 from tracker.vision.rig import NEAREST, StereoIntrinsics, StereoRig
 
 MARGIN_PX = 12.0
