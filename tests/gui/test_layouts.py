@@ -37,14 +37,14 @@ def size_to(window, size, qtbot) -> None:
     settled(window, qtbot)
 
 
-@pytest.mark.parametrize("job", JOBS, ids=lambda job: job.name)
-def test_a_task_is_selected_with_one_click_and_shows_its_panels(watched, qtbot, job):
-    segment = watched.tool_bar.segments.buttons[JOBS.index(job)]
-    segment.click()
-    assert in_sight(watched) == job.shown
-    assert [b.isChecked() for b in watched.tool_bar.segments.buttons] == [j is job for j in JOBS]
-    for group in (*job.columns[0], *job.columns[1]):
-        assert not watched.docks[group[0]].visibleRegion().isEmpty(), group[0]
+def test_a_task_is_selected_with_one_click_and_shows_its_panels(watched):
+    buttons = watched.tool_bar.segments.buttons
+    for segment, job in zip(buttons, JOBS, strict=True):
+        segment.click()
+        assert in_sight(watched) == job.shown
+        assert [b.isChecked() for b in buttons] == [j is job for j in JOBS]
+        for group in (*job.columns[0], *job.columns[1]):
+            assert not watched.docks[group[0]].visibleRegion().isEmpty(), (job.name, group[0])
 
 
 @pytest.mark.styled
@@ -169,22 +169,22 @@ def test_a_panel_hidden_in_the_task_appears_when_requested(watched):
 
 
 @pytest.mark.styled
-@pytest.mark.parametrize("width", [800, 1024, 1366])
-def test_the_tool_bar_shows_all_its_commands(watched, qtbot, width):
-    size_to(watched, (width, 640), qtbot)
+def test_the_tool_bar_shows_all_its_commands(watched, qtbot):
     bar = watched.tool_bar
     buttons = [b for b in bar.findChildren(QToolButton) if b.defaultAction() is not None]
     assert len(buttons) == 8 + len(JOBS)
-    for button in buttons:
-        assert button.isVisible(), button.text()
-        assert bar.rect().contains(
-            button.geometry().translated(
-                button.parentWidget().mapTo(bar, button.parentWidget().rect().topLeft())
-                if button.parentWidget() is not bar
-                else bar.rect().topLeft()
-            )
-        ), button.text()
-        assert button.toolTip()
+    for width in (1366, 1024, 800):
+        size_to(watched, (width, 640), qtbot)
+        for button in buttons:
+            assert button.isVisible(), (width, button.text())
+            assert bar.rect().contains(
+                button.geometry().translated(
+                    button.parentWidget().mapTo(bar, button.parentWidget().rect().topLeft())
+                    if button.parentWidget() is not bar
+                    else bar.rect().topLeft()
+                )
+            ), (width, button.text())
+            assert button.toolTip()
 
 
 @pytest.mark.styled
