@@ -19,8 +19,7 @@ from extensions.openxr.publisher import WorldPlacement
 from extensions.openxr.readers import Link, Reader, read_link
 from extensions.openxr.registration import LayerRegistration, Registered
 from extensions.openxr.tests.scene import world_in
-from extensions.openxr.window.panel import OpenXrPanel
-from extensions.openxr.window.view_model import stream_text, test_result
+from extensions.openxr.window.panel import OpenXrPanel, stream_text, test_result
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 from tests.notices import shows
 
