@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 
 from extensions.loopback.command import LoopBackArguments
-from extensions.loopback.measure import Commands, LoopBack, measure
-from extensions.loopback.taps import Taps
+from extensions.loopback.measure import CommandedPulses, LoopBack, Taps, measure
 from glovetrack.devices import glove_devices, with_camera
 from tracker.base.registry import deferred
 from tracker.base.terminal import check_json, finish
@@ -31,7 +30,7 @@ def run_loop_back(args: LoopBackArguments) -> int:
         if args.screen:
             found: LoopBack = flash_while(flashing)
         else:
-            found = measure(Commands(glove, args.channel), camera, args.seconds)
+            found = measure(CommandedPulses(glove, args.channel), camera, args.seconds)
     finally:
         glove.close()
         camera.close()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from app.engines.apart.messages import Opened
 from app.engines.apart.source import Companions
@@ -11,9 +10,6 @@ from app.engines.demo_camera import FILES, DemoChoice, start_camera
 from app.engines.engine import Built, Send
 from app.platform.tasks import JobProgress
 from tracker.live.listeners import remote_kinds
-
-if TYPE_CHECKING:
-    pass
 
 
 @dataclass(frozen=True)

@@ -15,11 +15,9 @@ import pytest
 from PySide6.QtCore import Qt
 
 from extensions.loopback import measure as measuring
-from extensions.loopback import taps as tapping
 from extensions.loopback.command_runs import figures, lines
 from extensions.loopback.light import DelayedLight, find_light
-from extensions.loopback.measure import ON, Commands, LoopBack, measure
-from extensions.loopback.taps import TAP, Taps
+from extensions.loopback.measure import ON, TAP, CommandedPulses, LoopBack, Taps, measure
 from extensions.loopback.window.flash import FlashWindow, flash_while
 from tracker.base.errors import DeviceError
 from tracker.cli import main
@@ -133,14 +131,14 @@ def test_devices_are_measured(monkeypatch: pytest.MonkeyPatch) -> None:
     # With shorter pauses the pulses are almost periodic, and in reverse they look alike.
     monkeypatch.setattr(measuring, "PAUSE", (0.05, 0.3))
     glove = LitGlove()
-    found = measure(Commands(glove, 2), Camera(glove), 4.0)
+    found = measure(CommandedPulses(glove, 2), Camera(glove), 4.0)
     assert found.place == (56, 24)
     assert found.light.delay == pytest.approx(LitGlove.LATE, abs=0.003)
     result = figures(found)
     assert result["exposure_to_arrival_median_ms"] == pytest.approx(20.0)
     assert json.loads(json.dumps(result)) == result
     with pytest.raises(DeviceError) as refused:
-        measure(Commands(LitGlove(accepts=False), 2), Camera(glove), 0.4)
+        measure(CommandedPulses(LitGlove(accepts=False), 2), Camera(glove), 0.4)
     assert refused.value.notice.code == "loopback.no_commands"
 
 
@@ -185,7 +183,7 @@ class SlowScreen:
 
 
 def test_the_delay_from_taps_to_a_screen_is_measured(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(tapping, "APART", 0.15)
+    monkeypatch.setattr(measuring, "APART", 0.15)
     screen = SlowScreen()
     found = measure(Taps(TappedGlove(2 * TAP), screen.show), Camera(screen), 5.0)
     assert found.pulses >= 10
@@ -204,7 +202,7 @@ def test_the_screen_is_lit_for_a_while_after_a_tap_and_not_again_by_its_rebound(
     taps.start()
     time.sleep(1.5)
     pulses = taps.stop()
-    assert len(pulses) >= 2 and (np.diff(pulses[:, 0]) > tapping.APART).all()
+    assert len(pulses) >= 2 and (np.diff(pulses[:, 0]) > measuring.APART).all()
     assert [lit for _, lit in shown[:4]] == [True, False, True, False]
     assert (np.diff(pulses, axis=1) >= ON).all()
 
