@@ -7951,6 +7951,46 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/openxr/window/panel.py" />
+      <source>The layer is not registered. Applications do not find the hand.</source>
+      <translation>Die Schicht ist nicht registriert. Anwendungen finden die Hand nicht.</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>The layer is registered. Applications find the hand when they start.</source>
+      <translation>Die Schicht ist registriert. Anwendungen finden die Hand beim Start.</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>The layer of another version is registered. Register it again.</source>
+      <translation>Die Schicht einer anderen Version ist registriert. Registrieren Sie sie erneut.</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>The registered layer is damaged. Register it again.</source>
+      <translation>Die registrierte Schicht ist beschädigt. Registrieren Sie sie erneut.</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>No application reads the hand now. The last one was {}, {:.0f} s ago.</source>
+      <translation>Keine Anwendung liest die Hand gerade. Die letzte war {} vor {:.0f} s.</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>No application has read the hand. Start an application with hand tracking; one that was running before the layer was registered must be started again.</source>
+      <translation>Keine Anwendung hat die Hand gelesen. Starten Sie eine Anwendung mit Hand-Tracking; eine, die schon vor der Registrierung lief, muss neu gestartet werden.</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>{} reads the hand {:.0f} times per second.</source>
+      <translation>{} liest die Hand {:.0f}-mal pro Sekunde.</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>{} asks for the hand {:.0f} times per second, but the hand is lost.</source>
+      <translation>{} fragt {:.0f}-mal pro Sekunde nach der Hand, aber sie ist verloren.</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
       <source>Register</source>
       <translation>Registrieren</translation>
     </message>
@@ -8006,6 +8046,31 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/openxr/window/panel.py" />
+      <source>The hand is not sent.</source>
+      <translation>Die Hand wird nicht gesendet.</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>The hand is sent as soon as tracking runs.</source>
+      <translation>Die Hand wird gesendet, sobald das Tracking läuft.</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>unnamed</source>
+      <translation>ohne Namen</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>The hand is sent. No application reads it now.</source>
+      <translation>Die Hand wird gesendet. Keine Anwendung liest sie gerade.</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>Nothing is sent: tick the stream and start tracking, then test.</source>
+      <translation>Es wird nichts gesendet: Schalten Sie den Datenstrom ein und starten Sie das Tracking, dann testen Sie.</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
       <source>To the right</source>
       <translation>Nach rechts</translation>
     </message>
@@ -8033,71 +8098,6 @@ change {}: {}</source>
       <location filename="extensions/openxr/window/panel.py" />
       <source>The hand is not tracked, so its position is unknown. Track it first.</source>
       <translation>Die Hand wird nicht getrackt, ihre Position ist daher unbekannt. Starten Sie zuerst das Tracking.</translation>
-    </message>
-    <message>
-      <location filename="extensions/openxr/window/panel.py" />
-      <source>The layer is not registered. Applications do not find the hand.</source>
-      <translation>Die Schicht ist nicht registriert. Anwendungen finden die Hand nicht.</translation>
-    </message>
-    <message>
-      <location filename="extensions/openxr/window/panel.py" />
-      <source>The layer is registered. Applications find the hand when they start.</source>
-      <translation>Die Schicht ist registriert. Anwendungen finden die Hand beim Start.</translation>
-    </message>
-    <message>
-      <location filename="extensions/openxr/window/panel.py" />
-      <source>The layer of another version is registered. Register it again.</source>
-      <translation>Die Schicht einer anderen Version ist registriert. Registrieren Sie sie erneut.</translation>
-    </message>
-    <message>
-      <location filename="extensions/openxr/window/panel.py" />
-      <source>The registered layer is damaged. Register it again.</source>
-      <translation>Die registrierte Schicht ist beschädigt. Registrieren Sie sie erneut.</translation>
-    </message>
-    <message>
-      <location filename="extensions/openxr/window/panel.py" />
-      <source>No application reads the hand now. The last one was {}, {:.0f} s ago.</source>
-      <translation>Keine Anwendung liest die Hand gerade. Die letzte war {} vor {:.0f} s.</translation>
-    </message>
-    <message>
-      <location filename="extensions/openxr/window/panel.py" />
-      <source>No application has read the hand. Start an application with hand tracking; one that was running before the layer was registered must be started again.</source>
-      <translation>Keine Anwendung hat die Hand gelesen. Starten Sie eine Anwendung mit Hand-Tracking; eine, die schon vor der Registrierung lief, muss neu gestartet werden.</translation>
-    </message>
-    <message>
-      <location filename="extensions/openxr/window/panel.py" />
-      <source>{} reads the hand {:.0f} times per second.</source>
-      <translation>{} liest die Hand {:.0f}-mal pro Sekunde.</translation>
-    </message>
-    <message>
-      <location filename="extensions/openxr/window/panel.py" />
-      <source>{} asks for the hand {:.0f} times per second, but the hand is lost.</source>
-      <translation>{} fragt {:.0f}-mal pro Sekunde nach der Hand, aber sie ist verloren.</translation>
-    </message>
-    <message>
-      <location filename="extensions/openxr/window/panel.py" />
-      <source>The hand is not sent.</source>
-      <translation>Die Hand wird nicht gesendet.</translation>
-    </message>
-    <message>
-      <location filename="extensions/openxr/window/panel.py" />
-      <source>The hand is sent as soon as tracking runs.</source>
-      <translation>Die Hand wird gesendet, sobald das Tracking läuft.</translation>
-    </message>
-    <message>
-      <location filename="extensions/openxr/window/panel.py" />
-      <source>unnamed</source>
-      <translation>ohne Namen</translation>
-    </message>
-    <message>
-      <location filename="extensions/openxr/window/panel.py" />
-      <source>The hand is sent. No application reads it now.</source>
-      <translation>Die Hand wird gesendet. Keine Anwendung liest sie gerade.</translation>
-    </message>
-    <message>
-      <location filename="extensions/openxr/window/panel.py" />
-      <source>Nothing is sent: tick the stream and start tracking, then test.</source>
-      <translation>Es wird nichts gesendet: Schalten Sie den Datenstrom ein und starten Sie das Tracking, dann testen Sie.</translation>
     </message>
     <message>
       <location filename="extensions/openxr/window/panel.py" />

@@ -96,6 +96,8 @@ SPOKEN_TO_PROGRAMS = {
     "extensions/robot/window/command_latency.py",  # a measurement, run in a terminal
 }
 NOT_SHOWN = {
+    'install -m 644 "$1" "$2" && udevadm control --reload && udevadm trigger',  # for the shell
+    "exit status ",  # of that command
     "simulated camera",  # key of stored colours
     "none is open",  # for who reads a bug report
     "● 19 of about 9 ",  # the widest count, which a column is made for
