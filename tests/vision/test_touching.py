@@ -19,9 +19,9 @@ YELLOW = NAMES.index("yellow")
 
 @pytest.fixture(scope="module")
 def detector() -> Detector:
-    """With a profile that has learned colours, but none beyond the intervals."""
+    """With a profile of noisy images, which has learned no colours beyond the intervals."""
     unknown = np.full(LEARNED_CELLS, UNKNOWN, np.uint8)
-    return Detector(replace(FOUR, learned=LearnedColours.of(unknown, 0.0)))
+    return Detector(replace(FOUR, learned=LearnedColours.of(unknown, 0.0, 5)))
 
 
 def disc(radius: float) -> np.ndarray:
@@ -74,3 +74,11 @@ def test_a_marker_that_was_found_is_found_once(detector: Detector) -> None:
     image[~disc(RADIUS + 1)] = 110
     assert len(there(detector.detect(image)[0])) == 1
     assert len(there(detector.detect(image, hints(CENTRE))[0])) == 1
+
+
+def test_in_images_without_noise_it_is_not_sought(detector: Detector) -> None:
+    """There it finds 0.3 % more markers for twice the time."""
+    learned = detector.profile.learned
+    assert learned is not None
+    clear = Detector(replace(FOUR, learned=replace(learned, smoothing_px=0)))
+    assert len(there(clear.detect(scene(), hints(CENTRE))[0])) == 0

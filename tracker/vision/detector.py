@@ -75,6 +75,8 @@ class Detector:
         self.profile = profile
         self._table = hue_table(profile)
         self._scratch, self._part = _Scratch(), _Scratch()
+        learned = profile.learned
+        self._in_noise = learned is not None and learned.smoothing_px > 0
         self._set(params or DetectorParams(), marker_size * fx)
 
     def _set(self, params: DetectorParams, metre_px: float) -> None:
@@ -129,7 +131,7 @@ class Detector:
         found = Sorted(*parted(rows, first_failure(rows, self._limits, _expected(hints))))
         why = tuple(REASONS[k] for k in found.reason.tolist())
         blobs = Blobs(found.uv, found.size, found.hue, found.score)
-        if hints is not None and self.profile.learned is not None:
+        if hints is not None and self._in_noise:  # else 0.3 % more markers for twice the time
             blobs = self._with_touching(scan, blobs, hints)
         return blobs, RejectedBlobs(found.other_uv, found.other_hue, why)
 
