@@ -11,7 +11,7 @@ FIRST = "README.md"
 LINK = re.compile(r"\[[^\]]*\]\(([\w.-]+\.md)\)")
 
 
-def place() -> Path:
+def guide_folder() -> Path:
     """The folder in an installation, or in the source tree."""
     installed = Path(str(folder("guide")))
     return installed if installed.is_dir() else Path(__file__).parents[2] / "docs" / "guide"
@@ -30,9 +30,9 @@ def pages() -> dict[str, str]:
 
     Raises FileNotFoundError if the guide is not installed.
     """
-    first = (place() / FIRST).read_text("utf-8")
+    first = (guide_folder() / FIRST).read_text("utf-8")
     names = [FIRST, *dict.fromkeys(LINK.findall(first))]
-    return {name: (place() / name).read_text("utf-8") for name in names}
+    return {name: (guide_folder() / name).read_text("utf-8") for name in names}
 
 
 def title_of(page: str) -> str:

@@ -14,8 +14,8 @@ SWITCH_S = 0.0005
 """How long a thread that wants the interpreter waits before it requests it. With Python's 5 ms a
 packet waits 37 ms (99th percentile) next to a thread that never sleeps, with a tenth of that 1 to 3
 ms. Tracking needs less than that for a packet, and painting gives way to it
-(`app.platform.courtesy`): with more frequent requests the threads would interrupt each other in the
-middle of a packet, and each switch waits for a processor."""
+(`app.platform.painting_pauses`): with more frequent requests the threads would interrupt each other
+in the middle of a packet, and each switch waits for a processor."""
 
 
 def tune_process() -> None:

@@ -33,13 +33,13 @@ class Catalogue(QTranslator):
         return super().translate(CONTEXT, text, disambiguation, n) or None
 
 
-def place() -> Path:
+def translations_folder() -> Path:
     return Path(str(folder("translations")))
 
 
 def languages(where: Path | None = None) -> list[str]:
     """Codes of the languages that are complete: English, and those with a ``.qm`` file."""
-    found = sorted((where or place()).glob(f"{PREFIX}*.qm"))
+    found = sorted((where or translations_folder()).glob(f"{PREFIX}*.qm"))
     return [ENGLISH, *(path.stem.removeprefix(PREFIX) for path in found)]
 
 
@@ -51,7 +51,7 @@ def chosen(setting: str, system: str, offered: list[str]) -> str:
 
 def install(app: QCoreApplication, setting: str, where: Path | None = None) -> str:
     """Speak the language of ``setting`` from now on; returns its code."""
-    where = where or place()
+    where = where or translations_folder()
     system = QLocale.system()
     code = chosen(setting, system.name(), languages(where))
     # fields for numbers use the language's separator too; the system's own region otherwise

@@ -15,7 +15,7 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from app.platform.translation import CONTEXT, place
+from app.platform.translation import CONTEXT, translations_folder
 from app.viewmodels.streams import option_fields
 from tracker.base.catalogue import WORDS
 from tracker.base.notices import GROUP as NOTICES
@@ -145,7 +145,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser.add_argument("languages", nargs="*", default=["de"], help="language codes (default: de)")
     words = all_words()
     for language in parser.parse_args(argv).languages:
-        path = place() / f"{CONTEXT}_{language}.ts"
+        path = translations_folder() / f"{CONTEXT}_{language}.ts"
         done = read(path)
         write(path, language, words, done)
         missing = words.keys() - done.keys()

@@ -12,7 +12,7 @@ from PySide6.QtCore import QRect, QRectF, Qt
 from PySide6.QtGui import QImage, QPainter, QPixmap
 from PySide6.QtWidgets import QLabel
 
-from app.platform.courtesy import PAINTING
+from app.platform.painting_pauses import PAINTING
 from app.widgets.curve_strokes import COLUMNS, COUNT, FIRST, SHOWN, draw_curves, visible_spans
 from app.widgets.image_canvas import rgb
 from tracker.messages import Array

@@ -27,7 +27,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from app.platform.courtesy import PAINTING
+from app.platform.painting_pauses import PAINTING
 from app.widgets.image_canvas import ImageCanvas, Labels, Placing
 from app.widgets.image_shapes import Drawn
 from app.widgets.measures import SMALL

@@ -34,7 +34,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.platform.guide import FIRST, matches, pages, place, site, title_of
+from app.platform.guide import FIRST, guide_folder, matches, pages, site, title_of
 from app.platform.licences import as_text, own_text
 from app.widgets.measures import APART, NEAR, WIDE
 from app.window.commands import Commands
@@ -99,7 +99,7 @@ class GuideDialog(QDialog):
         self.list.currentItemChanged.connect(lambda item, _old: self._show_item(item))
         self.view = QTextBrowser()
         self.view.setOpenLinks(False)
-        self.view.setSearchPaths([str(place())])
+        self.view.setSearchPaths([str(guide_folder())])
         self.view.anchorClicked.connect(self._follow)
         left = QVBoxLayout()
         left.addWidget(self.search)

@@ -19,7 +19,7 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
-from app.platform.courtesy import PAINTING
+from app.platform.painting_pauses import PAINTING
 from app.viewmodels.recording import duration_text
 from app.viewmodels.states import BAD, WARN
 from app.window.status_bar import StatusBar

@@ -7,7 +7,7 @@ from PySide6.QtCore import QUrl
 from PySide6.QtGui import QDesktopServices
 
 from app.platform import guide as guide_pages
-from app.platform.guide import matches, pages, place
+from app.platform.guide import guide_folder, matches, pages
 from app.viewmodels.status import tracking_look
 from app.widgets.chip import Chip
 from app.window.dialogs import Dialogs, GuideDialog, KeysDialog, key_of, plain
@@ -21,7 +21,7 @@ def opened(window, command: str, kind):
 
 
 def test_the_guide_contains_every_page():
-    assert set(pages()) == {path.name for path in place().glob("*.md")}
+    assert set(pages()) == {path.name for path in guide_folder().glob("*.md")}
 
 
 def test_the_guide_is_searchable_and_its_links_work(window, qtbot):

@@ -8,7 +8,7 @@ import pytest
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
-from app.platform.courtesy import PAINTING
+from app.platform.painting_pauses import PAINTING
 from app.platform.tasks import TaskOwner
 from app.widgets.image_shapes import Cross
 from app.widgets.image_view import ImageView

@@ -3,7 +3,7 @@
 import time
 from types import SimpleNamespace
 
-from app.platform.courtesy import PAINTING
+from app.platform.painting_pauses import PAINTING
 from app.window.ticker import LOW_LATENCY_SHARE, Ticker
 from tracker.live.right_of_way import RightOfWay
 

@@ -11,7 +11,14 @@ from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QApplication
 
 from app import words
-from app.platform.translation import CONTEXT, Catalogue, chosen, install, languages, place
+from app.platform.translation import (
+    CONTEXT,
+    Catalogue,
+    chosen,
+    install,
+    languages,
+    translations_folder,
+)
 from app.tools.translations import (
     SAYS,
     all_words,
@@ -163,7 +170,7 @@ def test_words_made_of_pieces_are_refused():
         list(words_in('self.tr(f"{a} of {b}")'))
 
 
-@pytest.mark.parametrize("path", sorted(place().glob("*.ts")), ids=lambda p: p.stem)
+@pytest.mark.parametrize("path", sorted(translations_folder().glob("*.ts")), ids=lambda p: p.stem)
 def test_every_text_is_listed_and_what_is_offered_is_complete(path):
     listed = path.read_text("utf-8")
     wanted = all_words()
@@ -326,7 +333,7 @@ def test_every_translation_of_a_notice_takes_just_the_values_of_its_text():
     def values(template):
         return {name for _, name, _, _ in Formatter().parse(template) if name}
 
-    for path in place().glob("*.ts"):
+    for path in translations_folder().glob("*.ts"):
         done = read(path)
         for code, template in all_templates().items():
             if template in done:

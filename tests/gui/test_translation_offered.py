@@ -22,7 +22,14 @@ from PySide6.QtWidgets import (
 )
 
 from app import words
-from app.platform.translation import CONTEXT, ENGLISH, Catalogue, install, languages, place
+from app.platform.translation import (
+    CONTEXT,
+    ENGLISH,
+    Catalogue,
+    install,
+    languages,
+    translations_folder,
+)
 from app.tools.translations import read
 from app.window.main_window import MainWindow
 from app.wizards.camera import LockBox
@@ -32,7 +39,7 @@ OFFERED = [code for code in languages() if code != ENGLISH]
 
 
 def catalogue(code: str) -> dict[str, str]:
-    return read(place() / f"{CONTEXT}_{code}.ts")
+    return read(translations_folder() / f"{CONTEXT}_{code}.ts")
 
 
 def fields(text: str) -> Counter[tuple[str, str | None, str | None]]:
@@ -83,7 +90,7 @@ def test_a_translation_has_an_accelerator_and_blanks_where_its_text_has(code):
 @pytest.mark.parametrize("code", OFFERED)
 def test_the_compiled_translation_matches_its_source(code):
     compiled = Catalogue()
-    assert compiled.load(str(place() / f"{CONTEXT}_{code}.qm"))
+    assert compiled.load(str(translations_folder() / f"{CONTEXT}_{code}.qm"))
     listed = catalogue(code)
     assert len(listed) > 500
     assert {text: compiled.translate("", text) for text in listed} == listed

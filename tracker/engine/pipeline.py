@@ -211,7 +211,7 @@ class Pipeline:
         if isinstance(guided, Notice):
             self._notices.post(guided)
         elif (learner := learner_of(self.engine)) is not None:
-            learner.wearer.hear(guided, event.t)
+            learner.wearer.take_guided_pose(guided, event.t)
         elif not self._reported_guided:
             self._reported_guided = True
             self._notices.post(warning("guided.not_learned", engine=self.settings.engine))

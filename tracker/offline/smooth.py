@@ -295,7 +295,7 @@ def _run(engine: ChainEngine, message: Message) -> Estimate | None:
         if is_reset(message):
             engine.reset_pose()
         elif isinstance(guided, GuidedPoseEvent):
-            engine.wearer.hear(guided, message.t)
+            engine.wearer.take_guided_pose(guided, message.t)
         return None
     if isinstance(message, BlobFrame):
         engine.feed_frame(message)

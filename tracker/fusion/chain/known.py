@@ -70,7 +70,7 @@ class KnownWearer:
 
     # ---- guided poses
 
-    def hear(self, event: GuidedPoseEvent, t: float) -> None:
+    def take_guided_pose(self, event: GuidedPoseEvent, t: float) -> None:
         """A guided pose begins or ends at ``t`` (s)."""
         holds = self.holds
         if holds and not np.isfinite(holds[-1].end):

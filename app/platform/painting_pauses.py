@@ -5,7 +5,7 @@ from __future__ import annotations
 from tracker.live.right_of_way import RightOfWay
 
 
-class Courtesy:
+class PaintingPauses:
     """``to``: callback that pauses painting while a time-critical device follows the hand."""
 
     def __init__(self) -> None:
@@ -17,5 +17,5 @@ class Courtesy:
             self.to.give()
 
 
-PAINTING = Courtesy()
+PAINTING = PaintingPauses()
 """For the one thread that paints."""
