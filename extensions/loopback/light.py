@@ -7,13 +7,14 @@ irregular times make it unique, and finer than the interval of the images.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
 from tracker.base.errors import DeviceError
-from tracker.base.notices import notice
+from tracker.base.notices import Notice, notice
 from tracker.messages import Array
 
 EARLIEST, LATEST, STEP, FINE = -0.1, 0.6, 0.002, 0.0002  # s
@@ -35,13 +36,19 @@ class DelayedLight(NamedTuple):
     correlation: float
 
 
+def no_light(correlation: float) -> Notice:
+    """No cell follows the commands."""
+    return notice("loopback.no_light", correlation=correlation)
+
+
 def find_light(
-    times: Array, cells: Array, pulses: Array, unseen: str = "loopback.no_light"
+    times: Array, cells: Array, pulses: Array, unseen: Callable[[float], Notice] = no_light
 ) -> DelayedLight:
     """The light among the brightnesses (N, M) of cells at the exposures' ``times`` (N,) s that
     follows ``pulses`` (P, 2): begin and end in s, as commanded.
 
-    Raises DeviceError, with the code ``unseen`` if no cell follows them, or if there are too few.
+    Raises DeviceError if there are too few, or, with the notice ``unseen`` makes of the
+    correlation, if no cell follows them.
     """
     times, order = np.sort(times), np.argsort(times)
     shown = pulses[(pulses[:, 0] > times[0]) & (pulses[:, 1] + LATEST < times[-1])]
@@ -56,7 +63,7 @@ def find_light(
     mirrored = times[0] + times[-1] - pulses[::-1, ::-1]
     chance = _correlations(times, bright[:, [cell]], mirrored, grid, 0.5 * frame).max()
     if not (best > LEAST and chance < DISTINCT * best):
-        raise DeviceError(notice(unseen, correlation=round(max(best, 0.0), 2)))
+        raise DeviceError(unseen(round(max(best, 0.0), 2)))
     delay, best = _refined(times, bright[:, [cell]], pulses, float(grid[k]), frame)
     return DelayedLight(
         int(cell), delay, _spread(times, bright[:, [cell]], pulses, delay, frame), best

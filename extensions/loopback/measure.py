@@ -10,9 +10,9 @@ from typing import NamedTuple, Protocol
 import cv2
 import numpy as np
 
-from extensions.loopback.light import DelayedLight, find_light
+from extensions.loopback.light import DelayedLight, find_light, no_light
 from tracker.base.errors import DeviceError
-from tracker.base.notices import notice
+from tracker.base.notices import Notice, notice
 from tracker.messages import Array, ImuSample, StereoFrame
 
 CELL = 16  # px, of the grid in which the light is searched
@@ -43,11 +43,15 @@ class TimedCamera(Protocol):
 
 
 class Pulses(Protocol):
-    """Lights something up at irregular times, in threads of its own. ``nothing`` and ``unseen`` are
-    the codes of the notices without pulses, and without a light that follows them."""
+    """Lights something up at irregular times, in threads of its own."""
 
-    nothing: str
-    unseen: str
+    def nothing(self) -> Notice:
+        """There were no pulses."""
+        ...
+
+    def unseen(self, correlation: float) -> Notice:
+        """No light follows them."""
+        ...
 
     def start(self) -> None: ...
 
@@ -70,8 +74,6 @@ class LoopBack(NamedTuple):
 class CommandedPulses:
     """Pulses of a motor output, the same ones in each measurement."""
 
-    nothing, unseen = "loopback.no_commands", "loopback.no_light"
-
     def __init__(
         self, glove: Glove, channel: int = 0, clock: Callable[[], float] = time.monotonic
     ) -> None:
@@ -80,6 +82,12 @@ class CommandedPulses:
         self._ended = threading.Event()
         names = {"loop-back pulses": self._blink, "loop-back glove": self._poll}
         self._threads = [threading.Thread(target=f, name=n, daemon=True) for n, f in names.items()]
+
+    def nothing(self) -> Notice:
+        return notice("loopback.no_commands")
+
+    def unseen(self, correlation: float) -> Notice:
+        return no_light(correlation)
 
     def start(self) -> None:
         for thread in self._threads:
@@ -119,8 +127,6 @@ class Taps:
     the interval of the packets. ``screen`` is called in another thread, with whether it is lit.
     """
 
-    nothing, unseen = "loopback.no_taps", "loopback.no_screen"
-
     def __init__(
         self,
         glove: SensingGlove,
@@ -133,6 +139,12 @@ class Taps:
         self._lit: tuple[float, float] | None = None  # s, when it was tapped and when it was lit
         self._ended = threading.Event()
         self._thread = threading.Thread(target=self._watch, name="loop-back taps", daemon=True)
+
+    def nothing(self) -> Notice:
+        return notice("loopback.no_taps")
+
+    def unseen(self, correlation: float) -> Notice:
+        return notice("loopback.no_screen", correlation=correlation)
 
     def start(self) -> None:
         self._thread.start()
@@ -196,7 +208,7 @@ def measure(
     if not cells:
         raise DeviceError(notice("loopback.no_images"))
     if not len(sent):
-        raise DeviceError(notice(pulses.nothing))
+        raise DeviceError(pulses.nothing())
     light = find_light(np.array(times), np.array(cells), sent, pulses.unseen)
     row, column = divmod(light.cell, shape[1])
     place = CELL * column + CELL // 2, CELL * row + CELL // 2
