@@ -168,8 +168,10 @@ print(left.shape, int(right.max()), {str(tmp_path)!r} in address)
 
 
 PEERS = '''
-import dataclasses, importlib, json, math, subprocess, sys, threading, time, types
+import dataclasses, faulthandler, importlib, json, math, subprocess, sys, threading, time, types
 from unittest.mock import MagicMock
+
+faulthandler.dump_traceback_later(240, exit=True)  # where it hangs
 
 class Config:
     register_subclass = staticmethod(lambda name: lambda kind: kind)
@@ -253,7 +255,9 @@ if __name__ == "__main__":
         live.publish("tcp:{server.getsockname()[1]},websocket:{web},udp:{udp}", joints="openxr",
                      say=print)
         save = [scripts + "/glovetrack_rerun.py", "--port", "{udp}", "--save", "hand.rrd"]
-        rerun = subprocess.Popen([sys.executable, *save, "--messages", "3"])
+        with open("rerun.txt", "w") as said:
+            rerun = subprocess.Popen([sys.executable, *save, "--messages", "3"],
+                                     stdout=said, stderr=said)
         topic = Topic(DomainParticipant(78), "rt/hand/right/joint_states",
                       glovetrack_dds.JointState_, qos=glovetrack_dds.QOS)
         listener = DataReader(topic.participant, topic, qos=glovetrack_dds.QOS)
@@ -264,6 +268,7 @@ if __name__ == "__main__":
         connecting = threading.Thread(target=arm.connect)
         for thread in [*nodes, connecting]:
             thread.start()
+        begun = time.monotonic()
         for estimate in live:
             seen.append(estimate)
             # a slow reader of `live` misses estimates, and those just sent may not be seen yet
@@ -273,13 +278,14 @@ if __name__ == "__main__":
             if state is not None and "dds" not in out:
                 compare(out, "dds", dict(zip(state.name, state.position)), seen[-100:])
             done = len(seen) > 100 and len(out) == 2 and rerun.poll() is not None
-            if done or len(seen) > 6000:
+            if done or time.monotonic() > begun + 120:
                 break
         arm.disconnect()
     for node in nodes:
         node.join(10)
         assert not node.is_alive(), "it ends with the stream"
-    assert rerun.returncode == 0
+    rerun.kill()
+    assert rerun.wait() == 0, (sorted(out), open("rerun.txt").read())
     node = sys.modules["rclpy"].create_node.return_value
     topics = [call.args[1] for call in node.create_publisher.call_args_list]
     print(json.dumps([topics, sorted(out)]))
