@@ -141,6 +141,8 @@ class Taps:
         self._thread = threading.Thread(target=self._watch, name="loop-back taps", daemon=True)
 
     def nothing(self) -> Notice:
+        if self._force is None:
+            return notice("loopback.no_packets")
         return notice("loopback.no_taps")
 
     def unseen(self, correlation: float) -> Notice:

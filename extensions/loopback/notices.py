@@ -18,6 +18,7 @@ TEXTS = {
         "The glove has measured no tap. Tap on a table with it, firmly, at irregular times."
     ),
     "loopback.screen_missing": "There is no screen that could flash.",
+    "loopback.no_packets": "The glove has sent no packets.",
     "loopback.no_images": "The camera has sent no images.",
     "loopback.no_commands": "The glove has accepted no command.",
 }

@@ -14006,6 +14006,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>The glove has sent no packets.</source>
+      <translation>Der Handschuh hat keine Pakete gesendet.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>The camera has sent no images.</source>
       <translation>Die Kamera hat keine Bilder gesendet.</translation>
     </message>

@@ -194,13 +194,18 @@ def test_the_delay_from_taps_to_a_screen_is_measured(monkeypatch: pytest.MonkeyP
     with pytest.raises(DeviceError) as refused:
         measure(Taps(TappedGlove(TAP / 2), screen.show), Camera(screen), 0.4)
     assert refused.value.notice.code == "loopback.no_taps"
+    with pytest.raises(DeviceError) as silent:
+        measure(Taps(LitGlove(), screen.show), Camera(screen), 0.1)
+    assert silent.value.notice.code == "loopback.no_packets"
 
 
 def test_the_screen_is_lit_for_a_while_after_a_tap_and_not_again_by_its_rebound() -> None:
     shown: list[tuple[float, bool]] = []
     taps = Taps(TappedGlove(2 * TAP), lambda lit: shown.append((time.monotonic(), lit)))
     taps.start()
-    time.sleep(1.5)
+    end = time.monotonic() + 20
+    while len(shown) < 4 and time.monotonic() < end:
+        time.sleep(0.01)
     pulses = taps.stop()
     assert len(pulses) >= 2 and (np.diff(pulses[:, 0]) > measuring.APART).all()
     assert [lit for _, lit in shown[:4]] == [True, False, True, False]
