@@ -17,7 +17,8 @@ from tracker.base.notices import notice
 R = TypeVar("R")
 Measuring = Callable[[Callable[[bool], None], Callable[[], bool]], R]
 """Measures with what lights a screen up or darkens it, and tells whether the user wants an end."""
-DARK, LIT, INK = QColor("black"), QColor("white"), QColor("#505860")
+DARK, LIT, INK = QColor("black"), QColor("white"), QColor("#a0a8b0")
+TEXT_PT = 20.0
 
 
 class FlashWindow(QWidget):
@@ -41,6 +42,9 @@ class FlashWindow(QWidget):
         painter.fillRect(self.rect(), LIT if self.lit else DARK)
         if not self.lit:
             painter.setPen(INK)
+            font = self.font()
+            font.setPointSizeF(TEXT_PT)
+            painter.setFont(font)
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(self.rect().adjusted(40, 40, -40, -40), int(flags), self._text())
         painter.end()
