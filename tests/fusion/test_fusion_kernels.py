@@ -106,7 +106,8 @@ def test_validity_and_sd_follow_the_tree(
             assert e.angle_state[c] in ((Validity.MEASURED,) if both else (Validity.INFERRED,))
     for k, i in enumerate(hand.keypoint_segment):
         base = not hand.keypoint_offset[k].any() and hand.parent[i] >= 0
-        measured = seen[i] or (base and seen[hand.parent[i]])
+        knuckle = base and hand.parent[i] == 0 and i not in layout.row_of
+        measured = seen[i] or (base and not knuckle and seen[hand.parent[i]])
         expected = Validity.MEASURED if measured else Validity.INFERRED
         if tracking == Tracking.COASTING:
             expected = Validity.INFERRED

@@ -49,7 +49,7 @@ class ConfidenceSavedState:
 
     seen: Array  # (M,) s when each marker was last seen
     felt: Array  # (n,) s when each IMU was last valid
-    tip_sd: Array  # (A + d,) m of each active segment's end, then of each driven one; or empty
+    tip_sd: Array  # (A + d + k,) m, as of `EndDeviations`; or empty
     one_camera: bool = False  # started with one camera, and no marker was seen by both since
     doubted: NDArray[np.bool_] = field(default_factory=lambda: np.zeros(0, bool))
     """(A,) markers do not support the segment's pose; empty in older recordings"""
@@ -68,7 +68,7 @@ class HandConfidence:
     def __init__(self, layout: ChainLayout, distal: DistalSegments) -> None:
         self._layout = layout
         self.ends = EndDeviations(layout, distal)
-        self._rows = len(layout.active) + len(self.ends.driven)
+        self._rows = len(layout.active) + len(self.ends.driven) + len(self.ends.palm.keypoint)
         self._digit = digit_of(layout)
         markers, imus = len(layout.glove.markers), len(layout.glove.imus)
         self.saved = ConfidenceSavedState(
@@ -148,7 +148,7 @@ class HandConfidence:
 
     @property
     def tip_sd(self) -> Array:
-        """(A + d,) m, zeros before the first image."""
+        """(A + d + k,) m, zeros before the first image."""
         return self.saved.tip_sd if len(self.saved.tip_sd) else np.zeros(self._rows)
 
     def unsure(self, state: ChainState, pose: CameraPose, known_size_sd: float) -> None:

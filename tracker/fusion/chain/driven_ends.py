@@ -22,7 +22,7 @@ from tracker.geometry import so3
 from tracker.geometry.kernels import cross3, joint_angles3, mul3, rotate, rotate_all, tmul3
 from tracker.kernels import kernel
 from tracker.kernels.arrays import BoolMatrix, IntVector, Matrix, Stack, Vector, Written
-from tracker.messages import Array
+from tracker.messages import Array, IntArray
 
 ONE_WAY = 1.6
 """The error of an unsensed joint moves its tip along one line, not three: 97 % of normal errors are
@@ -46,6 +46,16 @@ class DrivenEnds(NamedTuple):
     origin: Matrix
     before: Stack
     length: Vector
+
+
+class PalmPoints(NamedTuple):
+    """k keypoints on the root segment and at the digits' first joints on it: keypoint (k,) row
+    among the hand's and glove's, nominal (k, 3) m in the root's B, base (k,) number among the joint
+    offsets, -1 for none."""
+
+    keypoint: IntArray
+    nominal: Array
+    base: IntArray
 
 
 class OwnBends(NamedTuple):
@@ -74,11 +84,31 @@ def driven_ends(layout: ChainLayout, distal: DistalSegments, own: Synergies) -> 
     )
 
 
+def palm_points(layout: ChainLayout) -> PalmPoints:
+    """Those of a hand with a glove."""
+    hand, glove = layout.hand, layout.glove
+    moves_with = glove.keypoint_segments(hand)
+    offset = [hand.keypoint_offset, *(k.position[None] for k in glove.keypoints)]
+    rows, nominal, base = [], [], []
+    for k, (s, x) in enumerate(zip(moves_with, np.concatenate(offset), strict=True)):
+        if s == hand.root:
+            rows.append(k), nominal.append(x), base.append(-1)
+        elif hand.parent[s] == hand.root and not x.any():
+            row = layout.row_of.get(int(s), -1)
+            rows.append(k), nominal.append(hand.segments[s].origin)
+            base.append(int(layout.base_of[row]) if row >= 0 else -1)
+    return PalmPoints(np.array(rows, np.int64), np.array(nominal), np.array(base, np.int64))
+
+
 class EndDeviations:
-    """Standard deviations of the ends of all estimated segments and of the segments they drive."""
+    """Standard deviations of the ends of all estimated segments, of the segments they drive, and of
+    the keypoints of the palm."""
 
     def __init__(self, layout: ChainLayout, distal: DistalSegments) -> None:
         self._layout, self._distal = layout, distal
+        self.palm = palm_points(layout)
+        joint = layout.blocks.joint
+        self._offset_at = np.where(self.palm.base >= 0, joint + 3 * self.palm.base, -1)
         self.trust(distal.prior())
 
     @property
@@ -94,24 +124,33 @@ class EndDeviations:
         self.own = OwnBends(np.array(own.value), np.array(own.P), posture)
 
     def __call__(self, state: ChainState) -> Array:
-        """(A + d,) m: root of the mean variance over three axes."""
+        """(A + d + k,) m: root of the mean variance over three axes."""
         lay = self._layout
         return sd_of_ends(
-            lay.skeleton, lay.R_rest, lay.blocks, state.body, lay.tips, self.driven_ends, self.own,
-            state.P,
+            lay.skeleton, lay.R_rest, lay.blocks, state.body, lay.tips,
+            (self._palm(state), self._offset_at), (self.driven_ends, self.own), state.P,
         )  # fmt: skip
 
+    def _palm(self, state: ChainState) -> Points:
+        """The palm's keypoints; (k,) first columns of the offsets among the error states, or -1."""
+        base = self.palm.base
+        offset = np.zeros((len(base), 3))
+        offset[base >= 0] = state.joint[base[base >= 0]]
+        return Points(np.zeros(len(base), np.int64), self.palm.nominal, offset)
+
     def positions(self, state: ChainState) -> Array:
-        """(A + d, 3) m in G, of the same ends."""
+        """(A + d + k, 3) m in G, of the same points."""
         lay = self._layout
-        ends = points_of(segment_origins(lay.skeleton, state.body, state.p), state.body, lay.tips)
+        origins = segment_origins(lay.skeleton, state.body, state.p)
+        ends = points_of(origins, state.body, lay.tips)
+        palm = points_of(origins, state.body, self._palm(state))
         if not len(self.driven):
-            return ends
+            return np.concatenate([ends, palm])
         driven, *_ = driven_points(
             lay.skeleton, lay.R_rest, lay.blocks, state.body, self.driven_ends, self.own, state.p,
             state.P,
         )  # fmt: skip
-        return np.concatenate([ends, driven[:, 1]])
+        return np.concatenate([ends, driven[:, 1], palm])
 
 
 @kernel(nogil=False)
@@ -121,18 +160,23 @@ def sd_of_ends(
     at: Blocks,
     body: Body,
     ends: Points,
-    driven: DrivenEnds,
-    own: OwnBends,
+    palm: tuple[Points, IntVector],
+    bent: tuple[DrivenEnds, OwnBends],
     P: Matrix,
 ) -> Vector:
-    """(A + d,) m of the ``ends`` of all A segments and of the d ``driven`` ones (eq. 55)."""
+    """(A + d + k,) m of the ``ends`` of all A segments and of the d driven ones (eq. 55), and of
+    the k points of the ``palm`` with the first columns of their offsets, or -1."""
+    (points, offset_at), (driven, own) = palm, bent
     known = origin_jacobians(skeleton, at, body)
     n, d, room = len(known.used), len(driven.parent), known.value.shape[2] + BEYOND
-    out = np.empty(n + d)
+    out = np.empty(n + d + len(offset_at))
     h, column = np.empty((3, room)), np.empty(room, np.int64)
     for a in range(n):
-        k = _point_row(h, column, known, skeleton, at, body, ends, a)
+        k = _point_row(h, column, known, (skeleton, at, body), ends, a, -1)
         out[a] = np.sqrt(max(_trace(h, column, k, P) / 3.0, 0.0))
+    for i in range(len(offset_at)):
+        k = _point_row(h, column, known, (skeleton, at, body), points, i, offset_at[i])
+        out[n + d + i] = np.sqrt(max(_trace(h, column, k, P) / 3.0, 0.0))
     for i in range(d):
         k, bend, turned = _driven_row(
             h, column, known, (skeleton, R_rest), at, body, (driven, own), i
@@ -195,7 +239,7 @@ def _driven_row(
     turned = _turned(skeleton, body, driven, bend, i)
     x = rotate(driven.before[i], turned)
     at_parent = driven.parent[i : i + 1], driven.origin[i : i + 1], x.reshape(1, 3)
-    k = _point_row(h, column, known, skeleton, at, body, Points(*at_parent), 0)
+    k = _point_row(h, column, known, (skeleton, at, body), Points(*at_parent), 0, -1)
     R = mul3(body.R_GB[driven.parent[i]], driven.before[i])
     across = rotate(R, np.array([turned[2], 0.0, -turned[0]]))  # by flexion, about y
     c = driven.source[i]
@@ -237,17 +281,17 @@ def _point_row(
     h: Written[Matrix],
     column: Written[IntVector],
     known: OriginJacobians,
-    skeleton: ChainSkeleton,
-    at: Blocks,
-    body: Body,
+    chain: tuple[ChainSkeleton, Blocks, Body],
     points: Points,
     k: int,
+    offset_at: int,
 ) -> int:
-    """Jacobian h (3, n) of the point ``k`` and the error states of its columns; returns n."""
-    a = points.segment[k]
+    """Jacobian h (3, n) of the point ``k`` and the error states of its columns; returns n.
+    ``offset_at`` is as in `put_own`."""
+    (skeleton, at, body), a = chain, points.segment[k]
     n = known.used[a]
     h[:, :n], column[:n] = known.value[a, :, :n], known.column[a, :n]
-    return n + put_own(h[:, n:], column[n:], skeleton, at, body, points, k, -1)
+    return n + put_own(h[:, n:], column[n:], skeleton, at, body, points, k, offset_at)
 
 
 @kernel

@@ -37,7 +37,8 @@ class ShownHand:
     def __init__(self, layout: ChainLayout, noise: NoiseParams, distal: DistalSegments) -> None:
         self._layout, self._noise = layout, noise
         self.confidence = HandConfidence(layout, distal)
-        self._output = HandOutput(layout, self.confidence.ends.driven)
+        ends = self.confidence.ends
+        self._output = HandOutput(layout, ends.driven, ends.palm.keypoint)
         self._fingers: MeasuredFingers | None = None
 
     @property
@@ -85,7 +86,8 @@ class ShownHand:
         return Estimate(t, tracking, *found, motion)
 
     def estimate_of(self, state: ChainState, t: float, sensed: Sensed, sd: Array) -> Estimate:
-        """The hand of a nominal state; sd (A,) m are those of the segments' ends."""
+        """The hand of a nominal state; sd (A + d + k,) m are as of
+        `EndDeviations`."""
         active = self._active(state)
         return self._output.estimate(t, *active, sensed, sd)
 

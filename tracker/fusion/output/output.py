@@ -33,7 +33,11 @@ BASE_SD = 0.0022  # m per axis, of an unsensed knuckle
 STRAIGHT_DEG, BENT_DEG = 40.0, 75.0
 """A finger next to one that is bent less than the first (MCP and PIP joint together) may be closed:
 people point with two fingers. One next to a finger that is bent more than the second is bent."""
-CLOSED_SHARE = 0.27
+FREE, TOGETHER = 1.25, 0.95
+FREE_DEG, TOGETHER_DEG = 115.0, 145.0
+"""People bend the first two joints of half bent fingers independently, and close fingers together:
+factors on `INFERRED_DEG` where MCP and PIP joint together are bent less, or more, than that."""
+CLOSED_SHARE = 0.25
 """Standard deviation of a point on a finger that may be closed, relative to its distance from the
 farthest position that its joints allow."""
 WITHIN_LIMITS = tuple(product(np.linspace(0.0, 1.0, 5), repeat=2))
@@ -47,7 +51,9 @@ class Keypoints(NamedTuple):
     """K keypoints of a hand with S segments: segment (K,) the row each moves with, offset (K, 3) m
     in its nominal B, end_of (K,) the segment whose far end it is, -1 for none; sd_row (S,) the row
     of a segment whose end's standard deviation is given, -1 for the others, which have bend_sd (S,)
-    rad relative to their parents; base (K,) the first segment of the keypoint's digit if that has
+    rad relative to their parents; own_row (K,) the row of a keypoint whose own standard deviation
+    is given, else -1, and knuckle (K,) whether it is the first joint of a digit without sensors;
+    base (K,) the first segment of the keypoint's digit if that has
     no sensors, else -1, bends (K, 2) the flexions of that digit's first two joints among the
     angles, -1 for none, and reached (K, C, 3) m its position for each of `WITHIN_LIMITS`, from that
     digit's joint in the nominal B of the digit's parent."""
@@ -57,6 +63,8 @@ class Keypoints(NamedTuple):
     end_of: IntVector
     sd_row: IntVector
     bend_sd: Vector
+    own_row: IntVector
+    knuckle: BoolVector
     base: IntVector
     bends: IntMatrix
     reached: Stack
@@ -106,9 +114,14 @@ class HandOutput:
     """Builds estimates for one hand with one glove; `moving` adds the motion of the hand, from the
     same tables ``complete``, ``keypoints`` and ``angles``."""
 
-    def __init__(self, segments: EstimatedSegments, driven: Sequence[int] = ()) -> None:
+    def __init__(
+        self,
+        segments: EstimatedSegments,
+        driven: Sequence[int] = (),
+        own: Sequence[int] | IntArray = (),
+    ) -> None:
         """``driven`` are segments of the hand that are not estimated, but have standard deviations
-        of their ends."""
+        of their ends; ``own`` are keypoints that have standard deviations of their own."""
         self._segments = segments
         rows = {s: len(segments.active) + k for k, s in enumerate(driven)}
         self._sd_row = segments.row_of | rows
@@ -118,12 +131,17 @@ class HandOutput:
         moves_with, end_of = segments.glove.keypoint_segments(hand), self._far_ends()
         offset = [hand.keypoint_offset, *(k.position[None] for k in segments.glove.keypoints)]
         offsets = np.concatenate(offset)
+        own_row = np.full(self._keypoint_count, -1, np.int64)
+        own_row[list(own)] = len(segments.active) + len(rows) + np.arange(len(own))
+        sd_row = np.array([self._sd_row.get(s, -1) for s in range(len(hand.segments))], np.int64)
         self.keypoints = Keypoints(
             moves_with,
             offsets,
             end_of,
-            np.array([self._sd_row.get(s, -1) for s in range(len(hand.segments))], np.int64),
+            sd_row,
             np.deg2rad([0.0, *(_inferred_deg(s.name) for s in hand.segments[1:])]),
+            own_row,
+            (end_of == hand.root) & (sd_row[moves_with] < 0),
             *self._unsensed_digits(moves_with, offsets),
         )
         columns, parent = np.array(hand.axis_columns), np.array(hand.parent, np.int64)
@@ -139,8 +157,8 @@ class HandOutput:
     ) -> Estimate:
         """The whole hand from active segments R_GB (A, 3, 3), p_GB (A, 3), scale3 (A, 3).
 
-        active_sd (A + d,) m is the standard deviation of each active segment's end, then of each
-        driven one's.
+        active_sd (A + d + k,) m is the standard deviation of each active segment's end, then of
+        each driven one's, then of the keypoints that have their own.
         """
         found = self.fields(R, p, scale3, sensed, active_sd)
         return self.nothing(t) if found is None else Estimate(t, sensed.tracking, *found)
@@ -236,7 +254,7 @@ def whole_hand(
 ) -> tuple[Matrix, Matrix, IntVector, Vector, Vector, IntVector, Stack, Matrix]:
     """The fields of an `Estimate` except its time and tracking, in their order.
 
-    sensed (A,) as in `sensed_lately`, active_sd (A + d,) m. While the hand is ``lost`` no keypoint
+    sensed (A,) as in `sensed_lately`, active_sd (A + d + k,) m. While the hand is ``lost`` no keypoint
     has a position.
     """
     R, p, scale, angles, known = complete(hand, active)
@@ -245,7 +263,8 @@ def whole_hand(
     state = keypoint_states(of_segment, keypoints, coasting)
     away = farthest(keypoints, hand.parent, points, R, p, scale)
     open_sd = CLOSED_SHARE * away * may_be_closed(keypoints, angles)
-    sd = keypoint_sds(keypoints, hand.parent, active_sd, points, p, open_sd)
+    apart = independence(keypoints, angles)
+    sd = keypoint_sds(keypoints, hand.parent, active_sd, points, p, (open_sd, apart))
     if lost:
         state[:], points[:], q[:] = LOST, np.nan, np.nan
     return points, q, state, sd, angles, angle_states(of_segment, angles_of, known), R, p
@@ -316,7 +335,8 @@ def angle_states(segment_state: IntVector, angles: Angles, known: BoolVector) ->
 
 @kernel
 def keypoint_states(segment_state: IntVector, keypoints: Keypoints, coasting: bool) -> IntVector:
-    """(K,) the state of the segment each moves with, or whose far end it is.
+    """(K,) the state of the segment each moves with, or whose far end it is; the first joint of a
+    digit without sensors is inferred.
 
     While coasting no position of a hand is measured.
     """
@@ -324,7 +344,7 @@ def keypoint_states(segment_state: IntVector, keypoints: Keypoints, coasting: bo
     out = np.empty(len(segment), np.int64)
     for k in range(len(segment)):
         state = segment_state[segment[k]]
-        if end_of[k] >= 0:
+        if end_of[k] >= 0 and not keypoints.knuckle[k]:
             state = max(state, segment_state[end_of[k]])
         out[k] = min(state, INFERRED) if coasting else state
     return out
@@ -357,14 +377,33 @@ def may_be_closed(keypoints: Keypoints, angles: Vector) -> Vector:
     out = np.zeros(len(keypoints.base))
     straight, bent = np.deg2rad(STRAIGHT_DEG), np.deg2rad(BENT_DEG)
     for k in range(len(out)):
-        if keypoints.base[k] < 0:
-            continue
-        total = 0.0
-        for column in keypoints.bends[k]:
-            if column >= 0:
-                total += angles[column]
-        out[k] = min(max((bent - total) / (bent - straight), 0.0), 1.0)
+        if keypoints.base[k] >= 0:
+            share = (bent - _bent(keypoints, angles, k)) / (bent - straight)
+            out[k] = min(max(share, 0.0), 1.0)
     return out
+
+
+@kernel
+def independence(keypoints: Keypoints, angles: Vector) -> Vector:
+    """(K,) factor on the standard deviation of the first two joints of a digit without sensors, 1
+    on other digits, from the ``angles`` (J,) rad."""
+    out = np.ones(len(keypoints.base))
+    free, together = np.deg2rad(FREE_DEG), np.deg2rad(TOGETHER_DEG)
+    for k in range(len(out)):
+        if keypoints.base[k] >= 0:
+            share = (_bent(keypoints, angles, k) - free) / (together - free)
+            out[k] = FREE + (TOGETHER - FREE) * min(max(share, 0.0), 1.0)
+    return out
+
+
+@kernel
+def _bent(keypoints: Keypoints, angles: Vector, k: int) -> float:
+    """rad, of the first two joints of the keypoint's digit together."""
+    total = 0.0
+    for column in keypoints.bends[k]:
+        if column >= 0:
+            total += angles[column]
+    return total
 
 
 @kernel
@@ -374,24 +413,31 @@ def keypoint_sds(
     active_sd: Vector,
     points: Matrix,
     p: Matrix,
-    open_sd: Vector,
+    posture: tuple[Vector, Vector],
 ) -> Vector:
-    """(K,) m: from the sd (A + d,) of the nearest ancestor that has one, the joints between them,
+    """(K,) m: a keypoint's own, else from that of the nearest ancestor, the joints between them,
     with the ``points`` (K, 3) and the segments' origins p (S, 3) m (docs/chain.md, eq. 55), and
-    ``open_sd`` (K,) m of straight digits without sensors (eq. 62)."""
+    by ``posture`` open_sd (K,) m of straight digits without sensors (eq. 62) and `independence`."""
+    open_sd, apart = posture
     out = np.empty(len(points))
     for k in range(len(points)):
         a = keypoints.end_of[k] if keypoints.end_of[k] >= 0 else keypoints.segment[k]
         variance = open_sd[k] ** 2
-        if a == 0 and keypoints.sd_row[keypoints.segment[k]] < 0:
+        if keypoints.knuckle[k]:
             variance += BASE_SD**2
+        if keypoints.own_row[k] >= 0:
+            out[k] = np.sqrt(active_sd[keypoints.own_row[k]] ** 2 + variance)
+            continue
         while keypoints.sd_row[a] < 0:
             if parent[a] == 0:
                 variance += BASE_SD**2
             lever2 = 0.0
             for i in range(3):
                 lever2 += (points[k, i] - p[a, i]) ** 2
-            variance += lever2 * keypoints.bend_sd[a] ** 2 / 3.0
+            bend_sd, base = keypoints.bend_sd[a], keypoints.base[k]
+            if base >= 0 and (a == base or parent[a] == base):
+                bend_sd *= apart[k]
+            variance += lever2 * bend_sd**2 / 3.0
             a = parent[a]
         out[k] = np.sqrt(active_sd[keypoints.sd_row[a]] ** 2 + variance)
     return out
