@@ -89,15 +89,16 @@ def palm_points(layout: ChainLayout) -> PalmPoints:
     hand, glove = layout.hand, layout.glove
     moves_with = glove.keypoint_segments(hand)
     offset = [hand.keypoint_offset, *(k.position[None] for k in glove.keypoints)]
-    rows, nominal, base = [], [], []
+    found: list[tuple[int, Array, int]] = []
     for k, (s, x) in enumerate(zip(moves_with, np.concatenate(offset), strict=True)):
         if s == hand.root:
-            rows.append(k), nominal.append(x), base.append(-1)
+            found.append((k, x, -1))
         elif hand.parent[s] == hand.root and not x.any():
             row = layout.row_of.get(int(s), -1)
-            rows.append(k), nominal.append(hand.segments[s].origin)
-            base.append(int(layout.base_of[row]) if row >= 0 else -1)
-    return PalmPoints(np.array(rows, np.int64), np.array(nominal), np.array(base, np.int64))
+            base = int(layout.base_of[row]) if row >= 0 else -1
+            found.append((k, np.array(hand.segments[s].origin), base))
+    rows, nominal, bases = zip(*found, strict=True)
+    return PalmPoints(np.array(rows, np.int64), np.array(nominal), np.array(bases, np.int64))
 
 
 class EndDeviations:

@@ -254,8 +254,8 @@ def whole_hand(
 ) -> tuple[Matrix, Matrix, IntVector, Vector, Vector, IntVector, Stack, Matrix]:
     """The fields of an `Estimate` except its time and tracking, in their order.
 
-    sensed (A,) as in `sensed_lately`, active_sd (A + d + k,) m. While the hand is ``lost`` no keypoint
-    has a position.
+    sensed (A,) as in `sensed_lately`, active_sd (A + d + k,) m. While the hand is ``lost`` no
+    keypoint has a position.
     """
     R, p, scale, angles, known = complete(hand, active)
     points, q = keypoint_positions(keypoints, R, p, scale)
