@@ -99,6 +99,24 @@ def test_a_knuckle_does_not_bend_backwards_while_the_finger_is_bent() -> None:
     assert p[bent].sum() < 0.02 * p[GRID[:, BEND] > 1.8].sum()
 
 
+def test_straight_fingers_are_seldom_bent_backwards() -> None:
+    """Of people's knuckles, 1 % are bent backwards by more than 12.6 degrees (Leap, DFKI)."""
+    straight = np.zeros(5)
+    p = prior(straight, INDEPENDENT).reshape(KNUCKLES, CELLS).sum(axis=0)
+    backwards = p[GRID[:CELLS, FLEXION] < np.deg2rad(-15.0)].sum()
+    half = p[np.abs(GRID[:CELLS, FLEXION] - np.deg2rad(20.0)) < 0.05].sum()
+    assert 0.0 < backwards < 0.8 * half  # equal without the limit: as far from straight
+
+
+def test_the_posture_of_a_hidden_finger_is_one_of_a_finger() -> None:
+    """What refutes the neighbour's posture displaces it to others, not beyond all of them."""
+    images = drawn_finger(None)
+    images.maps[:, 0] = -1.0  # nothing has the glove's colours
+    found = fit(prior(NEIGHBOUR, INDEPENDENT), NEIGHBOUR, images, 1.0)
+    low, high = GRID[:, FLEXION:].min(axis=0), GRID[:, FLEXION:].max(axis=0)
+    assert (found.hidden[FLEXION:] >= low).all() and (found.hidden[FLEXION:] <= high).all()
+
+
 def test_images_that_show_nothing_change_nothing() -> None:
     before = prior(NEIGHBOUR, INDEPENDENT)
     found = fit(before, NEIGHBOUR, drawn_finger(None), 1.0)

@@ -46,8 +46,10 @@ PINCHED = {
     },
 }
 """Degrees; the other fingers are those of an open hand."""
-ABOVE, BELOW, BESIDE = -30.0, 160.0, 120.0
-"""Degrees of roll: the camera sees the back of the hand, its palm, or the side of the thumb."""
+ABOVE, BELOW, BESIDE, OUTER_SIDE = -30.0, 160.0, 120.0, -105.0
+BEHIND_THUMB = -135.0
+"""Degrees of roll: the camera sees the back of the hand, its palm, the side of the thumb, or that
+of the little finger."""
 
 
 class Pinching(Scene):
@@ -98,11 +100,19 @@ def test_pinches_of_ring_and_little_finger_are_distinguished_by_the_cloth(
         assert off < 0.012 and off < 3 * sd
 
 
-def test_a_seen_pinch_of_the_ring_finger_is_a_gesture(hand: HandModel, glove: GloveModel) -> None:
-    """A finger in front of the palm has no outline, so its pinch is not: it may be elsewhere."""
+def test_a_seen_pinch_of_ring_or_little_finger_is_a_gesture(
+    hand: HandModel, glove: GloveModel
+) -> None:
+    """A finger in front of the palm has no outline, so its pinch is not: it may be elsewhere. From
+    the side of the little finger, either of both has nearly the outline of the other."""
     names = glove.keypoint_names(hand)
-    for roll, expected in ((BESIDE, ["pinch_ring"]), (BELOW, [])):
-        scene = Pinching(hand, glove, "ring", roll)
+    for finger, roll, expected in (
+        ("ring", BESIDE, ["pinch_ring"]),
+        ("ring", BELOW, []),
+        ("ring", OUTER_SIDE, ["pinch_ring"]),
+        ("little", OUTER_SIDE, ["pinch_little"]),
+    ):
+        scene = Pinching(hand, glove, finger, roll)
         seen, gestures = scene.look(), GestureRecogniser(hand, names)
         begun = [
             phase.gesture
@@ -111,3 +121,12 @@ def test_a_seen_pinch_of_the_ring_finger_is_a_gesture(hand: HandModel, glove: Gl
             if phase.begins
         ]
         assert begun == expected
+
+
+def test_a_pinching_little_finger_that_is_hidden_is_where_nothing_refutes_it(
+    hand: HandModel, glove: GloveModel
+) -> None:
+    """Behind the thumb, it has little cloth of its own; an extended one would be seen."""
+    scene = Pinching(hand, glove, "little", BEHIND_THUMB)
+    off, sd, _ = scene.point(scene.look(), "little_tip")
+    assert off < 0.020 and off < 3 * sd

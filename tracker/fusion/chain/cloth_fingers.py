@@ -41,7 +41,7 @@ from tracker.fusion.output.measured_fingers import JOINTS, FingerRows, MeasuredF
 from tracker.hand.model import HandModel
 from tracker.hand.names import CHAINS, FINGERS
 from tracker.messages import Array, BlobFrame, CameraPose
-from tracker.vision.finger_cloth import ASIDE, BEND, FLEXION, Finger
+from tracker.vision.finger_cloth import ASIDE, BEND, FLEXION, Finger, FingerImages
 from tracker.vision.rig import StereoRig
 
 AHEAD = 0.02  # m from the knuckles along the palm, of the centre of a window
@@ -55,7 +55,9 @@ HIDDEN_SD = 0.022  # m per axis, added where the cloth does not show the finger
 LEAST_RIM = 6.0  # the evidence is at most this many times what the outline contributes
 HIDDEN_BELOW, SEEN_FROM = 8.0, 12.0  # ln of the likelihood ratio of the finger to none
 SURROUNDED = -15.0  # of the evidence; below, what is around the finger has its colours too
-REFUTED = -1.5  # ln of the likelihood ratio of following the neighbour to not following it
+EXCHANGED = 1.0  # s, in each of which a hidden finger is tried once in place of a visible one
+BETTER = 2.0  # ln of the likelihood ratio from which it is that one
+REFUTED = -0.9  # ln of the likelihood ratio of following the neighbour to not following it
 
 
 @record(
@@ -255,30 +257,70 @@ class ClothFingers:
         known = len(before.posterior) > 0
         for k in due:
             dt = t - before.fitted_at[k] if known and t >= before.fitted_at[k] else np.inf
-            others = [
-                (fingers[i], now.best[i])
+            seen = [
+                i
                 for i in range(len(fingers))
-                if i != k and (i < k or (known and dt < np.inf))
+                if i != k and (i < k or (known and dt < np.inf)) and now.evidence[i] >= HIDDEN_BELOW
             ]
             neighbour = self._neighbour(k, hand, now.posture)
             alone = prior(neighbour, INDEPENDENT)
             start = aged(before.posterior[k], alone, dt) if dt < np.inf else alone
+            others = [(fingers[i], now.best[i]) for i in seen]
             images = finger_images(fingers[k], others, self._rig, views)
             share = min(dt / INDEPENDENT_AFTER, 1.0)
             found = fit(start, neighbour, images, share)
-            self._put(now, k, fingers[k], found)
-            now.evidence[k] = min(now.evidence[k], LEAST_RIM * rim_part(now.posture[k], images))
-            if is_other_thing(now.posture[k], images):
-                now.evidence[k] = min(now.evidence[k], HIDDEN_BELOW)
-            if not now.is_fitted[k]:
-                now.posture[k] = found.hidden
-            if now.evidence[k] < HIDDEN_BELOW:
-                spread = variance_about(now.posterior[k], fingers[k], now.posture[k])
-                now.joint_variance[k] = spread
-            now.fitted_at[k] = t
-            now.origin[k] = self._layout.hand.segments[self.digits[k][0]].origin
-            now.origin[k, :2] += now.posture[k, :2] / hand.scale[self._layout.hand.root, :2]
+            self._adopt(now, k, hand, images, found)
+            is_due = dt == np.inf or t // EXCHANGED > before.fitted_at[k] // EXCHANGED
+            if is_due and seen and now.evidence[k] < HIDDEN_BELOW:
+                self._exchange(now, (k, seen[-1]), hand, fingers, views)
         self.saved = now
+
+    def _adopt(
+        self, now: ClothFingersSavedState, k: int, hand: _Hand, images: FingerImages,
+        found: FingerFit,
+    ) -> None:  # fmt: skip
+        """Puts what was found of the finger ``k`` into the state ``now``."""
+        self._put(now, k, images.finger, found)
+        now.evidence[k] = min(now.evidence[k], LEAST_RIM * rim_part(now.posture[k], images))
+        if is_other_thing(now.posture[k], images):
+            now.evidence[k] = min(now.evidence[k], HIDDEN_BELOW)
+        if not now.is_fitted[k]:
+            now.posture[k] = found.hidden
+        if now.evidence[k] < HIDDEN_BELOW:
+            spread = variance_about(now.posterior[k], images.finger, now.posture[k])
+            now.joint_variance[k] = spread
+        now.fitted_at[k] = now.t
+        now.origin[k] = self._layout.hand.segments[self.digits[k][0]].origin
+        now.origin[k, :2] += now.posture[k, :2] / hand.scale[self._layout.hand.root, :2]
+
+    def _exchange(
+        self,
+        now: ClothFingersSavedState,
+        pair: tuple[int, int],
+        hand: _Hand,
+        fingers: list[Finger],
+        views: ClothViews,
+    ) -> None:
+        """Of two fingers, of which the first is hidden: the first is the one that is seen instead,
+        if both together explain the cloth better that way, independent of earlier images."""
+        found: list[tuple[float, list[tuple[FingerImages, FingerFit]]]] = []
+        for one, other in (pair, pair[::-1]):
+            postures, each, whole = now.posture.copy(), [], 0.0
+            seen: list[tuple[Finger, Array]] = []
+            for k in (one, other):
+                neighbour = self._neighbour(k, hand, postures)
+                images = finger_images(fingers[k], seen, self._rig, views)
+                it = fit(prior(neighbour, INDEPENDENT), neighbour, images, 1.0)
+                each.append((images, it))
+                whole += it.whole
+                best = it.postures[int(np.argmax(it.weights))]
+                seen = [(fingers[k], best)]
+                postures[k] = best if k == one else it.hidden
+            found.append((whole, each))
+        (first, each), (usual, _) = found
+        if first > usual + BETTER:
+            for k, (images, it) in zip(pair, each, strict=True):
+                self._adopt(now, k, hand, images, it)
 
     def _copy(self, t: float) -> ClothFingersSavedState:
         """The state to which an image at ``t`` is added."""

@@ -51,6 +51,10 @@ BEND_LIMIT_SD = np.deg2rad(12.0)
 there, of which the lower one is valid; sd beyond. Fingers that are bent as far as they can be bend
 the knuckle too, and never backwards: in recordings of people, 99 % of the fingers whose knuckle is
 bent by 10 to 20 degrees have bends below 46, and by 20 to 30 degrees, below 71."""
+LEAST_FLEXION, BACKWARDS_SD = np.deg2rad([-12.0, 9.0])
+"""Flexion of the knuckle down to which all are alike, and sd below, rad: in recordings of people,
+1 % of the ring and little fingers are bent backwards by more than 12.6 degrees, and 0.4 % by more
+than 20."""
 INDEPENDENT = 0.5  # probability that a finger does not follow its neighbour: people point
 STAYS = 0.6  # share of the probabilities that is still valid after `PERIOD`
 MOVES = np.deg2rad([12.0, 5.0, 12.0])  # rad in `PERIOD`, flexion, abduction and bend
@@ -67,14 +71,15 @@ TINY = 1e-12
 class FingerFit(NamedTuple):
     """posterior (G,) of the cells of `GRID`; postures (n, 5) at the end of the divisions and their
     weights (n,); evidence, ln of the highest likelihood ratio of a finger to none; follows, ln of
-    the likelihood ratio of a finger that follows its neighbour to one that does not; hidden (5,),
-    the posture if the finger is hidden."""
+    the likelihood ratio of a finger that follows its neighbour to one that does not; whole, ln of
+    the mean likelihood ratio of all postures; hidden (5,), the posture if the finger is hidden."""
 
     posterior: Array
     postures: Array
     weights: Array
     evidence: float
     follows: float
+    whole: float
     hidden: Array
 
 
@@ -99,10 +104,12 @@ FLEXION_AT, ASIDE_AT, BEND_AT = (AXES[a] for a in (FLEXION, ASIDE, BEND))
 
 
 def _possible() -> Array:
-    """(flexions, bends) of a finger: 1 where it bends as far, less beyond (`MOST_BEND`)."""
+    """(flexions, bends) of a finger: 1 where it bends as far, less beyond (`MOST_BEND`,
+    `LEAST_FLEXION`)."""
     limit = np.min(MOST_BEND + MORE_BEND * FLEXION_AT[:, None], axis=1)
-    beyond = (BEND_AT - limit[:, None]) / BEND_LIMIT_SD
-    return np.asarray(np.exp(-0.5 * np.maximum(beyond, 0.0) ** 2))
+    beyond = np.maximum((BEND_AT - limit[:, None]) / BEND_LIMIT_SD, 0.0)
+    backwards = np.maximum((LEAST_FLEXION - FLEXION_AT) / BACKWARDS_SD, 0.0)
+    return np.asarray(np.exp(-0.5 * (beyond**2 + backwards[:, None] ** 2)))
 
 
 POSSIBLE = _possible()
@@ -355,17 +362,16 @@ def _unless_refuted(
     """
     best = min(likely.max(), ATTRACTS)
     refuted = 1.0 - np.exp(min(min(there, ATTRACTS) - best, 0.0))
-    out, total, left, usual = neighbour.copy(), 0.0, np.zeros(3), np.zeros(3)
+    out, total, left = neighbour.copy(), 0.0, np.zeros(3)
     for k in range(KNUCKLES):
         for i in range(CELLS):
-            p = follows[k * CELLS + i]
-            q = p * attracted[k, i]
+            q = follows[k * CELLS + i] * attracted[k, i]
             total += q
             for j in range(3):
                 left[j] += q * POSTURE[i, j]
-                usual[j] += p * POSTURE[i, j]
-    for j in range(3):
-        out[FLEXION + j] += refuted * (left[j] / (total + TINY**2) - usual[j])
+    if total > TINY**2:
+        for j in range(3):
+            out[FLEXION + j] += refuted * (left[j] / total - neighbour[FLEXION + j])
     return out
 
 
@@ -373,7 +379,7 @@ def _unless_refuted(
 def fitted(
     before: Vector, neighbour: Vector, images: FingerImages, share: float
 ) -> tuple[Vector, Matrix, Vector, Vector]:
-    """The fields of `FingerFit`, as in `fit`; the last three in one array (7,)."""
+    """The fields of `FingerFit`, as in `fit`; the last four in one array (8,)."""
     likely, different = _coarse(before, images, share)
     most = likely.max()
     ratios = _exp(likely, different, most)
@@ -392,9 +398,11 @@ def fitted(
             attracted[k, i] = min(ratios[k, i] * height, limit)
     there = share * finger_likelihoods(at, images).max()
     hidden = _unless_refuted(neighbour, there, follows, likely, attracted)
-    numbers = np.empty(2 + len(hidden))
-    numbers[0], numbers[1], numbers[2:] = evidence, to_alone, hidden
-    return posterior / posterior.sum(), postures, weights, numbers
+    total = posterior.sum()
+    numbers = np.empty(3 + len(hidden))
+    numbers[0], numbers[1], numbers[3:] = evidence, to_alone, hidden
+    numbers[2] = most + np.log(total + TINY**2)
+    return posterior / total, postures, weights, numbers
 
 
 def fit(before: Array, neighbour: Array, images: FingerImages, share: float) -> FingerFit:
@@ -402,8 +410,8 @@ def fit(before: Array, neighbour: Array, images: FingerImages, share: float) -> 
     follows its neighbour; of the likelihood ratios in ``images``, the ``share`` is independent of
     earlier images."""
     posterior, postures, weights, numbers = fitted(before, neighbour, images, share)
-    evidence, follows = numbers[:2].tolist()
-    return FingerFit(posterior, postures, weights, evidence, follows, numbers[2:])
+    evidence, follows, whole = numbers[:3].tolist()
+    return FingerFit(posterior, postures, weights, evidence, follows, whole, numbers[3:])
 
 
 @kernel
