@@ -18,6 +18,7 @@ from tracker.offline.colours_fit import (
     Sensed,
     WatchedGlove,
     check_messages,
+    check_with_names,
     exchanged_hues,
     fit_messages,
 )
@@ -160,12 +161,16 @@ def test_exchanged_hues_are_corrected_in_any_order_of_names() -> None:
 def test_all_hues_exchanged_are_named() -> None:
     assert set(RENAMED) == set(FACTORY.hue_names)
     worn, messages = simulated()
-    assert set(exchanged_hues(messages, worn, with_names(RENAMED))) == set(RENAMED)
+    check = check_with_names(messages, worn, with_names(RENAMED))
+    assert not check.ok
+    assert set(check.exchanged) == set(RENAMED)
+    assert check.lines()[-1].startswith("The names of these hues are exchanged")
 
 
 def test_colours_in_order_are_not_called_exchanged() -> None:
     worn, messages = simulated()
     assert exchanged_hues(messages, worn, FACTORY) == ()
+    assert check_with_names(messages, worn, FACTORY).exchanged == ()
 
 
 def test_no_more_markers_are_found_than_expected() -> None:

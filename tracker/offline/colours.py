@@ -25,7 +25,7 @@ from tracker.offline.colours_fit import (
     Sensed,
     SessionFit,
     WatchedGlove,
-    check_messages,
+    check_with_names,
     exchanged_hues,
     fit_messages,
 )
@@ -140,7 +140,7 @@ def fit_session(source: Path, out: Path, colours: str = "", force: bool = False)
 def check_session(source: Path, colours: str = "") -> ColourCheck:
     """How well ``colours`` (name or file), else the session's own, serve it."""
     info, messages = _read(source, colours)
-    return check_messages(messages, glove_of(info), profile_of(info))
+    return check_with_names(messages, glove_of(info), profile_of(info))
 
 
 def glove_of(info: SessionInfo) -> WatchedGlove:

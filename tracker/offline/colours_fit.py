@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker.base.errors import GlovetrackError
-from tracker.base.notices import notice
+from tracker.base.notices import notice, warning
 from tracker.calibration.colours_exchanged import exchanged, renamed
 from tracker.calibration.colours_fit import clashes
 from tracker.calibration.colours_learn import ColourSamples, learn, wide_profiles
@@ -83,6 +83,7 @@ class ColourCheck:
     tracked: int
     hues: tuple[HueCheck, ...]
     sure: float  # markers found by each camera that shows the hand, per image
+    exchanged: tuple[str, ...] = ()  # hues whose names are exchanged
 
     @property
     def found(self) -> float:
@@ -110,7 +111,8 @@ class ColourCheck:
             }
             for h in self.hues
         }
-        return {"hues": hues, "ok": self.ok, "images": self.images, "tracked": self.tracked}
+        counts = {"images": self.images, "tracked": self.tracked}
+        return {"hues": hues, "ok": self.ok, **counts, "exchanged": list(self.exchanged)}
 
     def lines(self) -> list[str]:
         """A line for each hue."""
@@ -121,6 +123,8 @@ class ColourCheck:
                 f"{h.name}: {h.found:.1f} of {h.expected:.1f} markers found in an image, "
                 f"{missed:.1f} missed, {h.clashing:.1f} other things of its colour."
             )
+        if self.exchanged:
+            lines.append(str(warning("colours.exchanged", hues=self.exchanged)))
         return lines
 
 
@@ -265,6 +269,16 @@ def check_messages(
     """How well ``profile`` serves for these packets and images."""
     looked = look(messages, watched, profile)
     return checked(looked, watched, profile, looked.showing)
+
+
+def check_with_names(
+    messages: Sequence[Sensed], watched: WatchedGlove, profile: ColourProfile
+) -> ColourCheck:
+    """`check_messages`, and where markers are missed, whether exchanged names are the cause."""
+    found = check_messages(messages, watched, profile)
+    if found.ok:
+        return found
+    return replace(found, exchanged=exchanged_hues(messages, watched, profile))
 
 
 def _with_names(
