@@ -90,7 +90,7 @@ def test_an_exchange_must_be_clear_and_complete() -> None:
     assert found is not None and found.tolist() == [1, 0, 2]
     assert exchange(np.diag([60.0] * 3)) is None
     assert exchange(clear + 35.0) is None  # a third have another one
-    assert exchange(clear / 6) is None  # few
+    assert exchange(clear / 7) is None  # few
     one_way = clear.copy()
     one_way[1] = 0.0  # the second hue was not seen: it may be the first one's false objects
     assert exchange(one_way) is None

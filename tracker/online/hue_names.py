@@ -17,7 +17,7 @@ from tracker.messages import Array, BlobFrame, Event, IntArray
 
 KIND = "hue_names"
 LASTS = 2.0  # s, time constant with which older images count less
-LEAST = 20.0  # blobs of another name at a hue's markers
+LEAST = 10.0  # blobs of another name at a hue's markers
 CLEAR = 3.0  # ratio of them to the blobs with the name, and to those of any third one
 
 
