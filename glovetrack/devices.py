@@ -55,7 +55,7 @@ def glove_devices(port: str = "", glove: str = library.DEFAULT_GLOVE, hand: str 
     reports = find_gloves([port] if port else None, FIND_GLOVE)
     there = next((report for report in reports if report.is_glove), None)
     if there is None:
-        reasons = tuple(report.trouble for report in reports if report.trouble)
+        reasons = tuple(report.problem for report in reports if report.problem)
         if port:
             raise DeviceError(notice("glove.not_at_port", port=port, reasons=reasons))
         raise DeviceError(notice("glove.not_at_usb", reasons=reasons))

@@ -269,7 +269,7 @@ class LiveTracker:
         try:
             yield recorder.path
         finally:
-            self._tracker.set_recorder(None, patience=None)
+            self._tracker.set_recorder(None, timeout=None)
 
     # ---- inside
 

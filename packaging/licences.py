@@ -142,11 +142,11 @@ def main(work: Path, bundle: Path) -> int:
     found = sorted(packages(files, known["packages"]), key=lambda p: p.name.lower())
     icons = Part("Lucide icons", "", "ISC AND MIT", (ICONS_LICENCE,))
     parts = [python, icons, *_page(), *found, *libraries(bundle, known["licences"])]
-    troubles = refused(parts)
-    for trouble in troubles:
-        print(f"may not be in the bundle: {trouble}", file=sys.stderr)
+    problems = refused(parts)
+    for problem in problems:
+        print(f"may not be in the bundle: {problem}", file=sys.stderr)
     print(as_text(parts), end="")
-    return 1 if troubles else 0
+    return 1 if problems else 0
 
 
 def _page() -> list[Part]:

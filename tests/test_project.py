@@ -260,7 +260,7 @@ CLOCKS = {
     "tracker/sensors/glove_link.py": "the default of a clock that is handed over",
     "tracker/simulation/camera_device.py": "a device in real time",
     "tracker/live/threads.py": "how long devices are waited for",
-    "tracker/live/right_of_way.py": "how long a painter has waited in vain",
+    "tracker/live/work_priority.py": "the default of a clock that is handed over",
     "tracker/simulation/glove_device.py": "a device in real time",
     "extensions/foxglove/live.py": "stamps of the wall clock, which clients want",
     "tracker/streaming/streams.py": "how long an output has been sending; sent per second",

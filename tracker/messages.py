@@ -35,7 +35,7 @@ class Validity(IntEnum):
     MEASURED = 2  # an IMU or a marker saw it lately
 
 
-SEEN_LATELY = 0.5
+RECENT = 0.5
 """s for which a part or a marker counts as seen after a sensor last saw it."""
 
 

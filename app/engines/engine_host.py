@@ -16,7 +16,7 @@ from app.engines.apart.messages import ENDED
 from app.engines.engine import EngineSetup
 from app.engines.notes import Notes
 from app.engines.recording import Recording
-from app.engines.snapshot import Looks, Snapshot
+from app.engines.snapshot import EngineSnapshots, Snapshot
 from app.platform.tasks import JobProgress, TaskOwner
 from app.words import error_text, notice_text
 from tracker.base.callbacks import ignore
@@ -55,7 +55,7 @@ class EngineHost(QObject):
         self.notes = Notes(self._write_note, self)
         self.recording.begun.connect(self.notes.begin)
         self.recording.finished.connect(lambda _path: self.notes.end())
-        self._looks = Looks()
+        self._snapshots = EngineSnapshots()
         self._factory: tuple[str, SetupFactory] | None = None
         self._spent = False  # the engine has been stopped and cannot start again
         self.running = False
@@ -167,7 +167,7 @@ class EngineHost(QObject):
         self.recording.set_engine(None)
         if not self._spent:
             setup.engine.stop()  # it has its devices open even if it never ran
-        self._looks = Looks()
+        self._snapshots = EngineSnapshots()
         setup.close()
         self.closed.emit()
 
@@ -247,8 +247,8 @@ class EngineHost(QObject):
         """Samples and estimates of the hand shown, of the last seconds, in the order of arrival."""
         if self._setup is None:
             return []
-        looks = self._looks.of(self._setup.side)
-        found: list[Message] = [*self._setup.tracked.recent_imu(), *looks.recent]
+        snapshots = self._snapshots.of(self._setup.side)
+        found: list[Message] = [*self._setup.tracked.recent_imu(), *snapshots.recent]
         return sorted(found, key=lambda m: getattr(m, "t_arrival", m.t))
 
     def snapshot(self) -> Snapshot | None:
@@ -265,4 +265,4 @@ class EngineHost(QObject):
             self._end_failed(live.engine.failure)
         if self._spent and live is not None:
             return Snapshot(setup=setup, running=False)  # live data are not valid any more
-        return self._looks.look(setup, self.running)
+        return self._snapshots.take(setup, self.running)

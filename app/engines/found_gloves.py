@@ -62,9 +62,9 @@ def find_hand_gloves(progress: JobProgress, settings: AppSettings) -> GlovesFoun
     responds. Raises DeviceError if there is none."""
     both = settings.both_hands or len(set(bound_sides(settings))) > 1
     named = [port for port in (settings.port, *(ports_of(settings) if both else ())) if port]
-    reports, troubles = probe_ports(progress, named, settings.baud, not both)
+    reports, problems = probe_ports(progress, named, settings.baud, not both)
     if not reports:
-        raise DeviceError(_none(troubles))
+        raise DeviceError(_none(problems))
     found, remarks = _assigned(settings, reports)
     if settings.both_hands:
         found += _expected(settings, found)
@@ -87,23 +87,23 @@ def probe_ports(
     # ports that are not on USB are not listed; the user entered them
     ports = list(dict.fromkeys((*named, *serial_ports())))
     reports: list[PortReport] = []
-    troubles: list[str] = []
+    problems: list[str] = []
     for i, path in enumerate(ports):
         progress(0.4 * i / len(ports), path)
         report = find_gloves([path], bauds=(baud,) if baud else BAUDS)[0]
         if not report.is_glove:
-            troubles += [notice_text(report.trouble)] if report.trouble is not None else []
+            problems += [notice_text(report.problem)] if report.problem is not None else []
             continue
         reports.append(report)
         if first_only:
             break
-    return reports, troubles
+    return reports, problems
 
 
-def _none(troubles: Sequence[str]) -> Notice:
-    if not troubles:
+def _none(problems: Sequence[str]) -> Notice:
+    if not problems:
         return notice("window.no_glove")
-    return notice("window.no_glove_because", reasons=troubles)
+    return notice("window.no_glove_because", reasons=problems)
 
 
 def _assigned(

@@ -18,7 +18,7 @@ from tracker.base.notices import Notice
 from tracker.fusion.engine import Engine
 from tracker.live.history import SearchedImage
 from tracker.live.recording import Recorder
-from tracker.live.right_of_way import RightOfWay
+from tracker.live.work_priority import WorkPriority
 from tracker.messages import (
     Array,
     BlobFrame,
@@ -178,7 +178,7 @@ class WindowEngine(Protocol):
 
     def start(self) -> None: ...
 
-    def stop(self, patience: float | None = None) -> None: ...
+    def stop(self, timeout: float | None = None) -> None: ...
 
     def drain_events(self) -> list[Event]: ...
 
@@ -201,7 +201,7 @@ class LiveEngine(WindowEngine, Protocol):
         """Why it has stopped on its own; None while it runs."""
 
     @property
-    def right_of_way(self) -> RightOfWay:
+    def work_priority(self) -> WorkPriority:
         """To be given by whatever paints."""
 
     def set_engine(self, name: str) -> None: ...
@@ -292,7 +292,7 @@ class CameraControls(Protocol):
 
     def fixed(self) -> tuple[FixedSetting, ...]: ...
 
-    def want(self, locks: Locks) -> None: ...
+    def request_locks(self, locks: Locks) -> None: ...
 
 
 class GloveDevice(Protocol):
@@ -300,7 +300,7 @@ class GloveDevice(Protocol):
 
     def report(self) -> GloveReport: ...
 
-    def want_rate(self, rate_hz: int) -> None: ...
+    def request_rate(self, rate_hz: int) -> None: ...
 
     def vibrate(self, channel: int, amplitude: int, duration_ms: int) -> bool:
         """Drive a motor with an amplitude of 0..255; returns whether the command was sent."""

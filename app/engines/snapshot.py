@@ -27,7 +27,7 @@ from tracker.sensors.camera import UnfitImages
 
 AT_FRAME = 0.1  # s between an image and an estimate that is shown over it
 FEW_MISSED = 0.05  # share of unsearched images that does not yet count as overload
-SILENT_AFTER = 0.7  # s without data; with a panel's period it is shown within about 1 s
+STOPPED_AFTER = 0.7  # s without data; with a panel's period it is shown within about 1 s
 STATUS_PERIOD = 0.1  # s
 RECENT_ESTIMATES = 60
 """1 s at the window's rate, more than the delay of any image."""
@@ -70,28 +70,28 @@ class Snapshot:
         return Shed(int(self.status.values.get("load_shed", 0.0)))
 
     @property
-    def is_strained(self) -> bool:
+    def is_overloaded(self) -> bool:
         """Whether a live engine skips images, or more, because of overload."""
         if self.setup.player is not None or self.status is None:
             return False
         missed = self.status.values.get("images_missed", 0.0)
         return self.shed > Shed.NOTHING or missed > FEW_MISSED
 
-    def _is_silent(self, last_arrival: float) -> bool:
-        """Whether a live stream has sent nothing for `SILENT_AFTER`; never for a replay."""
+    def _has_stopped(self, last_arrival: float) -> bool:
+        """Whether a live stream has sent nothing for `STOPPED_AFTER`; never for a replay."""
         if self.setup.player is not None or self.status is None:
             return False
-        return self.status.t - last_arrival > SILENT_AFTER
+        return self.status.t - last_arrival > STOPPED_AFTER
 
     @property
     def packets_arrive(self) -> bool:
         """Whether the glove sends now."""
-        return len(self.imu) > 0 and not self._is_silent(self.imu[-1].t_arrival)
+        return len(self.imu) > 0 and not self._has_stopped(self.imu[-1].t_arrival)
 
     @property
     def images_arrive(self) -> bool:
         """Whether the camera sends images now."""
-        return self.frame is not None and not self._is_silent(self.frame.t_arrival)
+        return self.frame is not None and not self._has_stopped(self.frame.t_arrival)
 
     @property
     def unfit(self) -> UnfitImages | None:
@@ -128,7 +128,7 @@ def nearest(estimates: Sequence[Estimate], t: float) -> Estimate | None:
     return found if found is not None and abs(found.t - t) <= AT_FRAME else None
 
 
-class HandLooks:
+class HandSnapshots:
     """Takes snapshots of one hand; ``recent`` are the last estimates, oldest first."""
 
     def __init__(self) -> None:
@@ -136,7 +136,7 @@ class HandLooks:
         self._status: Status | None = None
         self._status_due = 0.0
 
-    def look(self, setup: EngineSetup, running: bool, t: float | None = None) -> Snapshot:
+    def take(self, setup: EngineSetup, running: bool, t: float | None = None) -> Snapshot:
         """A snapshot of the hand; ``t`` (s): with the image of that exposure."""
         hand, estimate = setup.tracked, self._estimate(setup.tracked)
         triple = hand.latest_frame() if t is None else hand.latest_frame(t)
@@ -171,23 +171,23 @@ class HandLooks:
         return self._status
 
 
-class Looks:
-    """The `HandLooks` of all hands of an engine."""
+class EngineSnapshots:
+    """The `HandSnapshots` of all hands of an engine."""
 
     def __init__(self) -> None:
-        self._hands: dict[str, HandLooks] = {}
+        self._hands: dict[str, HandSnapshots] = {}
 
-    def of(self, side: str) -> HandLooks:
-        """The `HandLooks` of one side."""
-        return self._hands.setdefault(side, HandLooks())
+    def of(self, side: str) -> HandSnapshots:
+        """The `HandSnapshots` of one side."""
+        return self._hands.setdefault(side, HandSnapshots())
 
-    def look(self, setup: EngineSetup, running: bool) -> Snapshot:
+    def take(self, setup: EngineSetup, running: bool) -> Snapshot:
         """A snapshot of the hand that is shown, and of the other one with the same image."""
-        view = self.of(setup.side).look(setup, running)
+        view = self.of(setup.side).take(setup, running)
         if not setup.others:
             return view
         at = view.frame.t if view.frame is not None else None
-        others = [self.of(other.side).look(other, running, at) for other in setup.others]
+        others = [self.of(other.side).take(other, running, at) for other in setup.others]
         if view.frame is not None:
             others = [replace(other, frame=view.frame, blobs=view.blobs) for other in others]
         return replace(view, others=tuple(others))

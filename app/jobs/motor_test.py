@@ -13,7 +13,7 @@ from app.engines.host_parts import CurrentEngine
 from app.jobs.own_gloves import own_vibration, save_own
 from app.storage.settings import SettingsStore
 from app.viewmodels.device_settings import CONTROLS, DeviceValue, Value, locks_of
-from app.viewmodels.names import spoken
+from app.viewmodels.names import display_name
 from app.words import error_text, local, tr
 from tracker import GRAVITY
 from tracker.base.errors import DeviceError, GlovetrackError
@@ -122,7 +122,7 @@ def vibration_words(glove: GloveModel, channel: int, found: Vibration) -> str:
             f"{local(found.accel[j] / GRAVITY):.3f}",
             f"{local(np.rad2deg(found.gyro[j])):.2f}",
         )
-        lines.append(tr("{}: {} g, {} °/s").format(spoken(glove.imu_names[j]), *values))
+        lines.append(tr("{}: {} g, {} °/s").format(display_name(glove.imu_names[j]), *values))
     return "\n".join(lines)
 
 
@@ -148,7 +148,7 @@ def apply_changes(
     controls = setup.camera.controls
     if controls is not None and any(f"camera.{name}" in edits for name in CONTROLS):
         locks = locks_of(values, edits)
-        controls.want(locks)
+        controls.request_locks(locks)
         store.update(camera_locks=locks_text(locks))
 
 
@@ -156,7 +156,7 @@ def _set_rate(setup: EngineSetup, rate_hz: int) -> None:
     if setup.connection.device is None:
         return
     try:
-        setup.connection.device.want_rate(rate_hz)
+        setup.connection.device.request_rate(rate_hz)
     except ValueError as error:
         raise DeviceError(notice("window.glove_settings", why=str(error))) from error
 

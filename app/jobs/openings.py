@@ -58,7 +58,7 @@ class Openings(Generic[T]):
     def _replace(
         self, name: str, title: str, make: Callable[[], T | None], use: Callable[[T], bool | None]
     ) -> None:
-        wish = self._wanted[name] = self._wanted.get(name, 0) + 1
+        request = self._wanted[name] = self._wanted.get(name, 0) + 1
         problem = self.problems.pop(name, None)
         before = self._open.pop(name, None)
 
@@ -70,32 +70,32 @@ class Openings(Generic[T]):
             with opening:
                 while stale:  # first, so that a cancelled job does not leave it open
                     stale.pop().close()
-                self._close_outdated(name, wish)
+                self._close_outdated(name, request)
                 progress(-1.0, name)
-                made = make() if wish == self._wanted[name] else None
+                made = make() if request == self._wanted[name] else None
                 if made is not None:
-                    self._fresh[name, wish] = made
+                    self._fresh[name, request] = made
             return made
 
         self._jobs[name] += 1
         self._tasks.run(
             title,
             job,
-            done=partial(self._opened, name, wish, use),
-            failed=partial(self._failed, name, wish),
+            done=partial(self._opened, name, request, use),
+            failed=partial(self._failed, name, request),
             ended=partial(self._end, name),
         )
         if before is not None or problem is not None:
             self._changed()
 
     def _opened(
-        self, name: str, wish: int, use: Callable[[T], bool | None], made: T | None
+        self, name: str, request: int, use: Callable[[T], bool | None], made: T | None
     ) -> None:
         """Use the resource, unless all were closed or there is a newer request, whose job closes
         it."""
-        if made is None or wish != self._wanted[name] or (name, wish) not in self._fresh:
+        if made is None or request != self._wanted[name] or (name, request) not in self._fresh:
             return
-        del self._fresh[name, wish]
+        del self._fresh[name, request]
         if not use(made):
             made.close()
             return
@@ -105,13 +105,13 @@ class Openings(Generic[T]):
     def _end(self, name: str) -> None:
         self._jobs[name] -= 1
 
-    def _close_outdated(self, name: str, wish: int) -> None:
+    def _close_outdated(self, name: str, request: int) -> None:
         """Close objects that were opened under ``name`` for an older request; called in a job."""
-        for key in [k for k in list(self._fresh) if k[0] == name and k[1] < wish]:
+        for key in [k for k in list(self._fresh) if k[0] == name and k[1] < request]:
             self._fresh.pop(key).close()
 
-    def _failed(self, name: str, wish: int, text: str) -> None:
-        if wish == self._wanted[name]:
+    def _failed(self, name: str, request: int, text: str) -> None:
+        if request == self._wanted[name]:
             self.problems[name] = text
             self._changed()
 

@@ -16,7 +16,7 @@ from app.storage.image_folder import Image
 from app.viewmodels.camera_overlay import NO_LAYERS, Layers, hand_box, overlay
 from app.viewmodels.colour_images import masks_image
 from app.viewmodels.colours import hue_colours
-from app.viewmodels.names import spoken
+from app.viewmodels.names import display_name
 from app.widgets.icons import dress, text_by_icon
 from app.widgets.image_view import ImageView
 from app.widgets.measures import NEAR, TIGHT
@@ -137,10 +137,10 @@ class CamerasPanel(Panel):
         self.hue_boxes = {}
         for name in setup.profile.hue_names:
             box = self.hue_boxes[name] = QToolButton()
-            box.setText(spoken(name))
+            box.setText(display_name(name))
             box.setCheckable(True)
             box.setChecked(True)
-            box.setToolTip(self.tr("Show the mask of {}").format(spoken(name)))
+            box.setToolTip(self.tr("Show the mask of {}").format(display_name(name)))
             box.toggled.connect(self._redraw)
             self._controls.add(box)
         self._toggle_masks(self.masks.isChecked())

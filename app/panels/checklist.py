@@ -60,7 +60,7 @@ class ChecklistPanel(Panel):
         shown = steps(
             view,
             self._store.value.calibration,
-            self._hues_lately(view),
+            self._recent_hues(view),
             self.light,
             self._settled,
         )
@@ -101,7 +101,7 @@ class ChecklistPanel(Panel):
         if work is not None:
             self._light_job.run(lambda _progress: work(), self.light.took)
 
-    def _hues_lately(self, view: Snapshot | None) -> set[str]:
+    def _recent_hues(self, view: Snapshot | None) -> set[str]:
         """Hues detected recently; not every patch faces the camera in every image."""
         if view is None or view.frame is None:
             self._hue_seen.clear()

@@ -24,7 +24,7 @@ from app.panels.hand_choice import HandChoice
 from app.panels.panel import Panel, PanelColours
 from app.storage.settings import SettingsStore
 from app.viewmodels.graphs import value_at
-from app.viewmodels.names import spoken
+from app.viewmodels.names import display_name
 from app.viewmodels.sensors import finger_angles, glove_figures, imu_states, link_tip
 from app.viewmodels.signal_curves import Curve, LiveCurves
 from app.viewmodels.signals import AXES, Signal, angle_signal, imu_signals
@@ -122,10 +122,10 @@ class SensorsPanel(Panel):
         self.choice.blockSignals(True)
         self.choice.clear()
         for name in setup.glove.imu_names:
-            self.choice.addItem(self.tr("IMU: {}").format(spoken(name)), f"imu {name}")
+            self.choice.addItem(self.tr("IMU: {}").format(display_name(name)), f"imu {name}")
         self.choice.insertSeparator(self.choice.count())
         for finger in self._fingers:
-            self.choice.addItem(self.tr("Angles: {}").format(spoken(finger)), finger)
+            self.choice.addItem(self.tr("Angles: {}").format(display_name(finger)), finger)
         self.choice.setCurrentIndex(max(0, self.choice.findData(self._store.value.curves)))
         self.choice.blockSignals(False)
         for chip in self.chips:
@@ -146,7 +146,7 @@ class SensorsPanel(Panel):
         columns = self._chosen_angles()
         names: Sequence[str] = AXES
         if columns is not None:
-            names = [spoken(self._angle_names[c].split("_", 1)[-1]) for c in columns]
+            names = [display_name(self._angle_names[c].split("_", 1)[-1]) for c in columns]
         self._signals = self._signals_of(columns)
         self._curves.choose(signal for chosen in self._signals.values() for signal in chosen)
         for name, plot in self.plots.items():
@@ -201,7 +201,7 @@ class SensorsPanel(Panel):
             view.setup.glove.imu_names, view.imu, view.running and view.packets_arrive
         )
         for chip, state in zip(self.chips, states, strict=True):
-            name = spoken(state.name)
+            name = display_name(state.name)
             text = name if state.look is GOOD else f"{name}: {state.text}"
             chip.show_state(state.look.colour, state.look.sign, text, state.text)
         self._figures = "   ".join(glove_figures(view.status, view.imu))

@@ -96,7 +96,6 @@ def contents(choice: Choice) -> list[str]:
 
 def machine() -> dict[str, str]:
     """The computer and its software, without personal data."""
-
     packages = {p.name: p.version for p in parts()}
     return {
         "glovetrack": __version__,
@@ -127,7 +126,7 @@ def write_bundle(path: Path, material: Material, choice: Choice) -> list[str]:
     Raises FileError if ``path`` cannot be written.
     """
     clean = _cleaner(material, choice)
-    troubles: list[str] = []
+    problems: list[str] = []
     try:
         with (
             zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as out,
@@ -139,20 +138,20 @@ def write_bundle(path: Path, material: Material, choice: Choice) -> list[str]:
                 out.writestr("window.png", material.screenshot)
             if choice.session:
                 excerpt = Path(folder) / "session.mcap"
-                troubles += _excerpt(material, choice, excerpt)
+                problems += _excerpt(material, choice, excerpt)
                 if excerpt.is_file():
                     out.write(excerpt, "session.mcap", zipfile.ZIP_STORED)
-            out.writestr("README.txt", _readme(choice, troubles))
+            out.writestr("README.txt", _readme(choice, problems))
     except OSError as error:
         path.unlink(missing_ok=True)
         raise disk_error(path, error) from error
-    return troubles
+    return problems
 
 
-def _readme(choice: Choice, troubles: Sequence[str]) -> str:
+def _readme(choice: Choice, problems: Sequence[str]) -> str:
     lines = [tr("Glovetrack bug report. Contents:"), *(f"- {c}" for c in contents(choice))]
-    if troubles:
-        lines += ["", "Not in it:", *(f"- {t}" for t in troubles)]
+    if problems:
+        lines += ["", "Not included:", *(f"- {t}" for t in problems)]
     return "\n".join(lines) + "\n"
 
 
@@ -206,7 +205,6 @@ def _excerpt(material: Material, choice: Choice, path: Path) -> list[str]:
 
 def cut_tail(source: Path, out: Path, duration: float, images: bool, personal: bool) -> None:
     """The last ``duration`` s of a session, finished or not, as a session of its own."""
-
     with SessionReader(source) as reader:
         info = reader.info
         if not personal:
@@ -223,6 +221,5 @@ def cut_tail(source: Path, out: Path, duration: float, images: bool, personal: b
 def _kinds(images: bool) -> tuple[type, ...]:
     """The messages to copy; images are not even decompressed unless they are wanted. Events may
     contain text that a user wrote, and the log contains those of the program."""
-
     unwanted = (Event,) if images else (Event, StereoFrame)
     return tuple(k for k in MESSAGE_KINDS if k not in unwanted)

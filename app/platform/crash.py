@@ -30,7 +30,7 @@ from tracker.base.logs import FORMAT
 
 _log = logging.getLogger(__name__)
 LOG_BYTES, LOG_FILES = 1_000_000, 3
-KEPT = 10  # crash logs
+CRASH_LOGS = 10
 MOST_DIFFERENT = 100  # unhandled exceptions logged per run
 
 
@@ -61,7 +61,7 @@ class CrashWatch(QObject):
         super().__init__()
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         self.folder = folder
-        self.found = self._look_back()
+        self.found = self._rename_old_logs()
         self._path = folder / f"running-{os.getpid()}.log"
         self._file: TextIO = self._path.open("w", encoding="utf-8")
         self._file.write(_heading())
@@ -75,11 +75,11 @@ class CrashWatch(QObject):
             e.exc_type, e.exc_value or e.exc_type(), e.exc_traceback
         )
 
-    def _look_back(self) -> Path | None:
+    def _rename_old_logs(self) -> Path | None:
         """Rename logs of runs that have ended; returns the newest."""
-        gone = [p for p in self.folder.glob("running-*.log") if not _is_running(p)]
-        found = [_keep(p) for p in sorted(gone, key=lambda p: p.stat().st_mtime)]
-        for old in sorted(self.folder.glob("crash-*.log"))[:-KEPT]:
+        ended = [p for p in self.folder.glob("running-*.log") if not _is_running(p)]
+        found = [_keep(p) for p in sorted(ended, key=lambda p: p.stat().st_mtime)]
+        for old in sorted(self.folder.glob("crash-*.log"))[:-CRASH_LOGS]:
             old.unlink(missing_ok=True)
         return found[-1] if found else None
 
@@ -94,7 +94,7 @@ class CrashWatch(QObject):
         if text in self._seen or len(self._seen) >= MOST_DIFFERENT:
             return  # a failing timer fails sixty times a second
         self._seen.add(text)
-        _log.error("Not caught:\n%s", text)
+        _log.error("Unhandled exception:\n%s", text)
         sys.stderr.write(text)
         self._file.write(f"{time.strftime('%Y-%m-%d %H:%M:%S')}\n{text}")
         self._file.flush()
@@ -116,15 +116,15 @@ class CrashWatch(QObject):
 
 
 def _heading() -> str:
-    born = psutil.Process().create_time()
-    return f"{born}\nGlovetrack {__version__}, Python {sys.version.split()[0]}, {sys.platform}\n"
+    created = psutil.Process().create_time()
+    return f"{created}\nGlovetrack {__version__}, Python {sys.version.split()[0]}, {sys.platform}\n"
 
 
 def _is_running(path: Path) -> bool:
     """Whether the process that wrote the file is still running; process ids are reused."""
     try:
-        born = float(path.read_text("utf-8", "replace").partition("\n")[0])
-        return abs(psutil.Process(int(path.stem.rpartition("-")[2])).create_time() - born) < 1.0
+        created = float(path.read_text("utf-8", "replace").partition("\n")[0])
+        return abs(psutil.Process(int(path.stem.rpartition("-")[2])).create_time() - created) < 1.0
     except (ValueError, OSError, psutil.Error):
         return False
 

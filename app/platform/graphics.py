@@ -26,7 +26,7 @@ SOFTWARE = (
 )
 GL_RENDERER = 0x1F01
 PERIOD_MS = 100
-PATIENCE_MS = 20_000
+TIMEOUT_MS = 20_000
 WITHOUT_SCREEN = ("offscreen", "minimal", "vnc", "linuxfb")
 
 
@@ -60,7 +60,7 @@ def renderer_in_subprocess() -> str:
     """GL_RENDERER, waiting for the subprocess; empty if there is no OpenGL or it crashes."""
     pipe, process = start_child("glovetrack-graphics", _answer)
     try:
-        return str(pipe.recv()) if pipe.poll(PATIENCE_MS / 1000) else ""
+        return str(pipe.recv()) if pipe.poll(TIMEOUT_MS / 1000) else ""
     except (EOFError, OSError):
         return ""
     finally:
@@ -99,7 +99,7 @@ class GraphicsQuery(QObject):
         except (EOFError, OSError):
             self._end("")
             return
-        if not self._process.is_alive() or self._waited_ms > PATIENCE_MS:
+        if not self._process.is_alive() or self._waited_ms > TIMEOUT_MS:
             self._end("")
 
     def _end(self, renderer: str) -> None:

@@ -1,20 +1,20 @@
-"""The window's counterpart of `tracker.live.right_of_way`."""
+"""Pauses of the window's painting, see `tracker.live.work_priority`."""
 
 from __future__ import annotations
 
-from tracker.live.right_of_way import RightOfWay
+from tracker.live.work_priority import WorkPriority
 
 
 class PaintingPauses:
-    """``to``: callback that pauses painting while a time-critical device follows the hand."""
+    """``priority``: that of an engine whose estimates a time-critical device follows, else None."""
 
     def __init__(self) -> None:
-        self.to: RightOfWay | None = None
+        self.priority: WorkPriority | None = None
 
-    def give_way(self) -> None:
+    def pause(self) -> None:
         """Called between parts of a painting operation."""
-        if self.to is not None:
-            self.to.give()
+        if self.priority is not None:
+            self.priority.wait()
 
 
 PAINTING = PaintingPauses()

@@ -167,12 +167,12 @@ class Instance(QObject):
             return
         try:
             request = json.loads(bytes(socket.readLine().data()))
-            path, wish = request.get("open"), request.get("remote")
+            path, remote_request = request.get("open"), request.get("remote")
             at = request.get("at")
         except (ValueError, AttributeError):
             socket.abort()
             return
-        answer = self.answer(json.dumps(wish)) if isinstance(wish, dict) else ""
+        answer = self.answer(json.dumps(remote_request)) if isinstance(remote_request, dict) else ""
         if answer:
             socket.write(answer.encode() + b"\n")
             socket.flush()

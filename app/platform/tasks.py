@@ -72,7 +72,7 @@ class RunningJob(QObject):
         self._thread.join(timeout)
 
     @property
-    def alive(self) -> bool:
+    def is_running(self) -> bool:
         return self._thread.is_alive()
 
     def _run(self) -> None:

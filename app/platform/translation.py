@@ -1,8 +1,8 @@
 """The window in the user's language.
 
-Qt looks translations up by the class that asks. In Python that is the class of the object, not the
-class that contains the call, so a subclass would lose its parent's texts: here one catalogue
-serves all, by the words alone.
+Qt looks up translations by the class that calls `tr`. In Python that is the class of the object,
+not the one that contains the call, so a subclass would lose its parent's texts. Therefore all texts
+are in one context and are found by the text alone.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ def chosen(setting: str, system: str, offered: list[str]) -> str:
 
 
 def install(app: QCoreApplication, setting: str, where: Path | None = None) -> str:
-    """Speak the language of ``setting`` from now on; returns its code."""
+    """Install the translation for ``setting``; returns the code of its language."""
     where = where or translations_folder()
     system = QLocale.system()
     code = chosen(setting, system.name(), languages(where))
@@ -69,7 +69,7 @@ def install(app: QCoreApplication, setting: str, where: Path | None = None) -> s
 
 def _install_qt_words(app: QCoreApplication, code: str) -> None:
     """Qt's own texts: buttons of dialogs, names of keys. Installed first, it is searched last."""
-    theirs = QTranslator(app)
+    qt = QTranslator(app)
     folder_of_qt = QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)
-    if theirs.load(f"qtbase_{code}", folder_of_qt):
-        app.installTranslator(theirs)
+    if qt.load(f"qtbase_{code}", folder_of_qt):
+        app.installTranslator(qt)

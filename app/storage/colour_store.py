@@ -43,7 +43,7 @@ class ColourStore:
         try:
             profile = load_profile(path)
         except GlovetrackError as error:
-            _log.warning("The colours of %s were not taken: %s", camera, error)
+            _log.warning("The colours of %s were not loaded: %s", camera, error)
             return None
         return profile if profile.hue_names == like.hue_names else None
 

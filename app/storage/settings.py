@@ -179,11 +179,11 @@ def migrated(data: dict[str, Any], version: int) -> dict[str, Any]:
 def _settings_from(data: dict[str, Any]) -> AppSettings:
     """Settings from JSON. Unknown keys are dropped; wrong types raise ValueError."""
 
-    def complain(key: str, why: Notice) -> None:
+    def on_problem(key: str, why: Notice) -> None:
         if why != UNKNOWN:
             raise ValueError(f"{key} {why}")
 
-    return from_dict(AppSettings, data, complain)
+    return from_dict(AppSettings, data, on_problem)
 
 
 def wearer_of(settings: AppSettings, side: str, of_demo: bool = False) -> str:

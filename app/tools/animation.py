@@ -39,7 +39,7 @@ FRAMES, WARM_UP, IMAGES, MS = (
     170,
 )  # frames, and steps before them; images a step; ms a frame
 BEGIN, SECONDS, FPS = 2.0, 7.5, 30.0  # s at the first frame, and of the session; its images per s
-PATIENCE = 10.0  # s until an image is shown
+TIMEOUT = 10.0  # s until an image is shown
 COLOURS = 96
 
 
@@ -108,7 +108,7 @@ def _advance(player: Player) -> None:
     """Steps forward and lets all panels refresh."""
     before = player.position
     player.step(IMAGES)
-    wait_until(lambda: player.position > before, PATIENCE)
+    wait_until(lambda: player.position > before, TIMEOUT)
     wait_until(lambda: False, 0.3)
 
 

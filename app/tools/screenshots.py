@@ -39,8 +39,8 @@ from tracker.messages import Tracking
 
 SETTLE = 6.0  # s of tracking before the first image
 SIZE = (1366, 768)
-CALM_MS = 150.0
-PATIENCE = 40.0  # s for a good moment
+IDLE_MS = 150.0
+TIMEOUT = 40.0  # s for a good moment
 OPEN = 0.126  # m from the wrist to the nearest fingertip
 SHOW_A_HAND = ("hand", "cameras")
 STILL = 1.5  # s for which the hand must remain open
@@ -166,7 +166,7 @@ def _is_filled(part: Part) -> bool:
 
 
 def _wait_until_it_lasts(done: Callable[[], bool], duration: float) -> bool:
-    """Wait until ``done()`` has held for ``duration`` s, at most `PATIENCE`; returns whether it
+    """Wait until ``done()`` has held for ``duration`` s, at most `TIMEOUT`; returns whether it
     did."""
     since = time.monotonic()
 
@@ -176,11 +176,11 @@ def _wait_until_it_lasts(done: Callable[[], bool], duration: float) -> bool:
             since = time.monotonic()
         return time.monotonic() - since > duration
 
-    return wait_until(lasted, PATIENCE)
+    return wait_until(lasted, TIMEOUT)
 
 
 def _wait_for_hand(window: MainWindow, spread: bool) -> None:
-    """Let the panels refresh, then wait for a tracked hand, spread or not (`PATIENCE` at most)."""
+    """Let the panels refresh, then wait for a tracked hand, spread or not (`TIMEOUT` at most)."""
     wait_until(lambda: False, 0.7)
     _wait_until_it_lasts(lambda: _is_good(window.host.snapshot(), spread), STILL if spread else 0.0)
     window.hand.look_from("back")
@@ -190,7 +190,7 @@ def _wait_for_hand(window: MainWindow, spread: bool) -> None:
 def _is_good(view: Snapshot | None, spread: bool) -> bool:
     if view is None or view.status is None or view.estimate is None:
         return False
-    if view.status.values.get("latency_total_ms", 0.0) > CALM_MS:
+    if view.status.values.get("latency_total_ms", 0.0) > IDLE_MS:
         return False  # the last image taken held everything up
     return view.estimate.tracking == Tracking.TRACKING and (not spread or _is_open(view))
 
@@ -219,7 +219,7 @@ if __name__ == "__main__":
 
 
 D = TypeVar("D", bound=QDialog)
-PAGE_PATIENCE = 90.0  # s for a page to be ready on a busy machine
+PAGE_TIMEOUT = 90.0  # s for a page to be ready on a busy machine
 VIEWS = 15
 Save = Callable[[QWidget, Path], None]
 
@@ -241,7 +241,7 @@ Both = Callable[[QDialog, str], None]
 
 def _opened(window: MainWindow, command: str, name: str, kind: type[D]) -> D:
     window.run_command(command)
-    wait_until(lambda: name in window.set_up.dialogs, PAGE_PATIENCE)
+    wait_until(lambda: name in window.set_up.dialogs, PAGE_TIMEOUT)
     dialog = window.set_up.dialogs[name]
     assert isinstance(dialog, kind)
     return dialog
@@ -252,13 +252,13 @@ def _stereo(window: MainWindow, both: Both) -> bool:
     wizard.resize(980, 680)  # whatever the off-screen screen is
     both(wizard, "stereo-board")
     wizard.go_on()
-    ready = wait_until(lambda: wizard.collect.list.count() >= VIEWS, PAGE_PATIENCE)
+    ready = wait_until(lambda: wizard.collect.list.count() >= VIEWS, PAGE_TIMEOUT)
     both(wizard, "stereo-views")
     wizard.go_on()
-    ready = ready and wait_until(wizard.next.isEnabled, PAGE_PATIENCE)
+    ready = ready and wait_until(wizard.next.isEnabled, PAGE_TIMEOUT)
     both(wizard, "stereo-result")
     wizard.go_on()
-    ready = ready and wait_until(wizard.next.isEnabled, PAGE_PATIENCE)
+    ready = ready and wait_until(wizard.next.isEnabled, PAGE_TIMEOUT)
     both(wizard, "stereo-check")
     wizard.close()
     return ready
@@ -266,16 +266,16 @@ def _stereo(window: MainWindow, both: Both) -> bool:
 
 def _glove(window: MainWindow, both: Both) -> bool:
     dialog = _opened(window, "glove_setup", "glove", GloveSetup)
-    wait_until(lambda: not window.tasks.tasks, PAGE_PATIENCE)
+    wait_until(lambda: not window.tasks.tasks, PAGE_TIMEOUT)
     both(dialog, "glove-choice")
     dialog.tabs.setCurrentWidget(dialog.still)
-    ready = wait_until(dialog.still.start.isEnabled, PAGE_PATIENCE)
+    ready = wait_until(dialog.still.start.isEnabled, PAGE_TIMEOUT)
     dialog.still.begin()
-    ready = ready and wait_until(lambda: dialog.still.table.rowCount() > 0, PAGE_PATIENCE)
+    ready = ready and wait_until(lambda: dialog.still.table.rowCount() > 0, PAGE_TIMEOUT)
     both(dialog, "glove-still")
     dialog.tabs.setCurrentWidget(dialog.wiggle)
     dialog.wiggle.begin()
-    ready = ready and wait_until(lambda: dialog.wiggle.phase == SetUpPhase.DONE, PAGE_PATIENCE)
+    ready = ready and wait_until(lambda: dialog.wiggle.phase == SetUpPhase.DONE, PAGE_TIMEOUT)
     both(dialog, "glove-wiggle")
     dialog.close()
     return ready
@@ -283,7 +283,7 @@ def _glove(window: MainWindow, both: Both) -> bool:
 
 def _camera(window: MainWindow, both: Both) -> bool:
     dialog = _opened(window, "camera_setup", "camera", CameraSetup)
-    wait_until(lambda: not window.tasks.tasks, PAGE_PATIENCE)
+    wait_until(lambda: not window.tasks.tasks, PAGE_TIMEOUT)
     both(dialog, "camera-setup")
     dialog.close()
     return True

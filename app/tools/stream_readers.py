@@ -71,9 +71,9 @@ def _read_datagrams(port: int, count: Count) -> None:
 def _connected(port: int, protocols: Sequence[str] = ()) -> Iterator[Any]:
     """A WebSocket; its errors are OSError."""
 
-    spoken = [Subprotocol(name) for name in protocols] or None
+    display_name = [Subprotocol(name) for name in protocols] or None
     try:
-        with connect(f"ws://{LOOPBACK}:{port}/", subprotocols=spoken) as connection:
+        with connect(f"ws://{LOOPBACK}:{port}/", subprotocols=display_name) as connection:
             yield connection
     except WebSocketException as error:
         raise OSError(str(error)) from error

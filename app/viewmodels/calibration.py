@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.engines.snapshot import Snapshot
-from app.viewmodels.names import bone, spoken
+from app.viewmodels.names import bone, display_name
 from app.words import local, mark, tr
 from tracker import GRAVITY
 from tracker.messages import Array, Calibration, Status
@@ -166,7 +166,7 @@ def calibration_view(
     kinds = tuple(RANGES)
     rows = tuple(
         CalibrationRow(
-            spoken(segment), bone(segment), tuple(_cell(c, i, k, reference) for k in kinds)
+            display_name(segment), bone(segment), tuple(_cell(c, i, k, reference) for k in kinds)
         )
         for i, segment in enumerate(c.segments)
     )
@@ -182,7 +182,7 @@ def calibration_view(
     return CalibrationView(rows, _length(c, reference), overall, advice)
 
 
-def by_one_camera(view: Snapshot) -> bool:
+def has_one_camera(view: Snapshot) -> bool:
     """Whether only one camera provides positions: there is no other, or its images show no markers,
     as those of an infrared camera."""
     if view.setup.camera.rig.one_camera:

@@ -10,14 +10,14 @@ import numpy as np
 from app.engines.snapshot import Snapshot
 from app.viewmodels.calibration import (
     SETTLED,
-    by_one_camera,
     calibration_view,
+    has_one_camera,
     is_measured,
     right_camera_time,
 )
 from app.viewmodels.colours import seen_rows
 from app.viewmodels.light import LightWatch
-from app.viewmodels.names import spoken
+from app.viewmodels.names import display_name
 from app.viewmodels.set_up_steps import (
     SettledSteps,
     SetUpStep,
@@ -50,14 +50,14 @@ CONTROLS = {
 def steps(
     view: Snapshot | None,
     calibration: str = "",
-    hues_lately: Collection[str] | None = None,
+    recent_hues: Collection[str] | None = None,
     light: LightWatch | None = None,
     settled: SettledSteps | None = None,
 ) -> list[SetUpStep]:
     """All steps in order; the first one that does not pass is the next to work on.
 
     ``calibration`` is the path of the selected stereo calibration, used before devices are open;
-    ``hues_lately`` are names of hues detected in the last seconds (default: in the newest images).
+    ``recent_hues`` are names of hues detected in the last seconds (default: in the newest images).
     ``light``: measurements of the images' light. ``settled``: stores which steps were done before.
     """
     if view is not None and not (view.running or view.setup.player is not None):
@@ -72,7 +72,7 @@ def steps(
         "stereo": _stereo(view, calibration),
         "exposure": _exposure(view),
         "light": _light(view, light),
-        "colours": _colours(view, hues_lately, light),
+        "colours": _colours(view, recent_hues, light),
         "hand": _hand(view, "hand" in settled),
         "calibration": _calibration(
             view, CALIBRATION_LEFT if "calibration" in settled else SETTLED
@@ -109,7 +109,7 @@ def _samples(view: Snapshot | None) -> SetUpStep:
             name, False, tr("Waiting for the glove."), "glove_setup", tr("Set up the glove")
         )
     valid = np.array([s.valid for s in list(view.imu)[-100:]]).mean(axis=0)
-    names = [spoken(n) for n in view.setup.glove.imu_names]
+    names = [display_name(n) for n in view.setup.glove.imu_names]
     silent = [n for n, v in zip(names, valid, strict=True) if v < 0.5]
     if silent:
         return SetUpStep(
@@ -253,7 +253,7 @@ def hues_seen(view: Snapshot) -> set[str]:
 
 
 def _colours(
-    view: Snapshot | None, lately: Collection[str] | None, light: LightWatch | None
+    view: Snapshot | None, recent: Collection[str] | None, light: LightWatch | None
 ) -> SetUpStep:
     """Done if every hue of the glove and most markers are detected."""
     name = tr("Colours tuned")
@@ -263,12 +263,12 @@ def _colours(
         return SetUpStep(name, False, tr("Searching for markers…"), waits=True)
     tune = ("show_colours", tr("Tune colours"))
     rows = seen_rows(view, view.setup.profile)
-    clashing = [spoken(r.name) for r in rows if r.clash]
+    clashing = [display_name(r.name) for r in rows if r.clash]
     if clashing:
         reason = tr("The ranges of {} overlap.").format(", ".join(clashing))
         return SetUpStep(name, False, reason, *tune)
-    found = hues_seen(view) if lately is None else set(lately)
-    unseen = [spoken(n) for n in view.setup.glove.hues if n not in found]
+    found = hues_seen(view) if recent is None else set(recent)
+    unseen = [display_name(n) for n in view.setup.glove.hues if n not in found]
     away = _tracking(view) != Tracking.TRACKING  # a hand out of view shows no markers
     if not found:
         return SetUpStep(name, False, tr("No markers found."), *tune, waits=away)
@@ -280,7 +280,7 @@ def _colours(
         reason = tr("{} of {} markers are not found with these colours.").format(missed, there)
         return SetUpStep(name, False, reason, *tune)
     return SetUpStep(
-        name, True, tr("seen: {}").format(", ".join(map(spoken, view.setup.glove.hues)))
+        name, True, tr("seen: {}").format(", ".join(map(display_name, view.setup.glove.hues)))
     )
 
 
@@ -311,7 +311,7 @@ def _calibration(view: Snapshot | None, least: float) -> SetUpStep:
         return SetUpStep(name, False, tr("Waiting for tracking."))
     if view.status is not None and images_alone(view.status):
         return SetUpStep(name, False, tr("Waiting for the glove."), waits=True)
-    alone = by_one_camera(view)
+    alone = has_one_camera(view)
     shown = calibration_view(view.calibration, one_camera=alone)
     share = 0.0 if np.isnan(shown.convergence) else shown.convergence
     if share >= least:

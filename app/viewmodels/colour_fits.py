@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from app.engines.engine import EngineSetup
 from app.engines.snapshot import Snapshot
 from app.viewmodels.colour_images import Image
-from app.viewmodels.names import spoken
+from app.viewmodels.names import display_name
 from app.words import tr
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
@@ -87,9 +87,12 @@ def fit_words(found: Sequence[FoundHue], profile: ColourProfile) -> str:
         return tr("Nothing was fitted: no patches of these colours were found.")
     one, more = tr("{} (1 patch)"), tr("{} ({} patches)")
     fitted = ", ".join(
-        (one if f.patches == 1 else more).format(spoken(f.range.name), f.patches) for f in found
+        (one if f.patches == 1 else more).format(display_name(f.range.name), f.patches)
+        for f in found
     )
-    kept = [spoken(h.name) for h in profile.hues if h.name not in {f.range.name for f in found}]
+    kept = [
+        display_name(h.name) for h in profile.hues if h.name not in {f.range.name for f in found}
+    ]
     if not kept:
         return tr("Fitted {}.").format(fitted)
     return tr("Fitted {}. Not changed: {} (too few patches visible).").format(

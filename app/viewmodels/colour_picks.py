@@ -11,7 +11,7 @@ import numpy as np
 
 from app.viewmodels.colour_images import Image
 from app.viewmodels.colours import nearest_hue
-from app.viewmodels.names import spoken
+from app.viewmodels.names import display_name
 from app.words import tr
 from tracker.calibration.colours_fit import fit_samples
 from tracker.calibration.colours_image import PICKED_PX
@@ -88,7 +88,7 @@ class PickCheck:
                 "This pixel is too grey or too dark to have a hue (saturation {}, value {}). "
                 "Click the middle of a {} marker."
             )
-            return words.format(int(hsv[1]), int(hsv[2]), spoken(chosen.name))
+            return words.format(int(hsv[1]), int(hsv[2]), display_name(chosen.name))
         other = mistaken_for(hsv, chosen, now, factory_colours())
         if not other or (
             before is not None
@@ -98,12 +98,12 @@ class PickCheck:
             return ""
         self._questioned = chosen.name, u, v
         words = tr("This looks like {0}, not {1}. Select {0} first, or click again to accept it.")
-        return words.format(spoken(other), spoken(chosen.name))
+        return words.format(display_name(other), display_name(chosen.name))
 
 
 def missing_picks(hues: Collection[str], picked: Collection[str]) -> str:
     """Which hues still need a click before the colours are learned; empty if none does."""
-    missing = [spoken(h) for h in hues if h not in picked]
+    missing = [display_name(h) for h in hues if h not in picked]
     words = tr("Clicked: {}. To learn the colours, also click: {}.")
-    there = ", ".join(spoken(h) for h in hues if h in picked)
+    there = ", ".join(display_name(h) for h in hues if h in picked)
     return words.format(there, ", ".join(missing)) if missing else ""

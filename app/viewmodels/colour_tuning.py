@@ -23,7 +23,7 @@ from app.viewmodels.colour_live import LiveImages
 from app.viewmodels.colour_picks import Eyedropper, PickCheck, missing_picks, range_at
 from app.viewmodels.colour_search import MASK_STEP, ImageSearch, MaskShown, ShownImage
 from app.viewmodels.colours import HueRow, blob_counts, expected_counts, hue_rows, seen_rows
-from app.viewmodels.names import spoken
+from app.viewmodels.names import display_name
 from app.words import tr
 from tracker.base.errors import ConfigError
 from tracker.base.files import write_with_folder
@@ -255,7 +255,7 @@ class ColourTuning:
 
     def words(self, rows: list[HueRow]) -> str:
         """The result of the last action, and problems of hues."""
-        clashing = [f"▲ {spoken(row.name)}: {row.clash}" for row in rows if row.clash]
+        clashing = [f"▲ {display_name(row.name)}: {row.clash}" for row in rows if row.clash]
         return "\n".join([*([self.last_words] if self.last_words else []), *clashing])
 
     def mask(

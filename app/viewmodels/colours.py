@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.engines.snapshot import Snapshot
-from app.viewmodels.names import spoken
+from app.viewmodels.names import display_name
 from app.viewmodels.states import GOOD, IDLE, WARN, StateLook
 from app.words import local, tr
 from tracker.calibration.colours_fit import clashes
@@ -125,7 +125,7 @@ def _overlaps(profile: ColourProfile) -> dict[str, str]:
     out: dict[str, list[str]] = {}
     for clash in clashes(profile):
         for mine, other in ((clash.hue, clash.other), (clash.other, clash.hue)):
-            out.setdefault(mine, []).append(f"{spoken(other)} ({100 * clash.share:.0f} %)")
+            out.setdefault(mine, []).append(f"{display_name(other)} ({100 * clash.share:.0f} %)")
     return {name: tr("overlaps {}").format(", ".join(others)) for name, others in out.items()}
 
 

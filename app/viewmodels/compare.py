@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from app.viewmodels.names import engine_name, spoken
+from app.viewmodels.names import display_name, engine_name
 from app.words import local, notice_text, tr
 from tracker.base.notices import Notice
 
@@ -66,9 +66,9 @@ def rows(c: Comparison) -> list[CompareRow]:
     ]
     for name, value in f["keypoints_mm"].items():
         errors = _mm(first.get(name, math.nan)), _mm(second.get(name, math.nan))
-        out.append(CompareRow(spoken(name), _mm(value), *errors))
+        out.append(CompareRow(display_name(name), _mm(value), *errors))
     for name, value in f["joints_rms_deg"].items():
-        out.append(CompareRow(spoken(name), _deg(value), "", ""))
+        out.append(CompareRow(display_name(name), _deg(value), "", ""))
     return out
 
 

@@ -13,7 +13,7 @@ import tomli_w
 
 from app.engines.engine import EngineSetup
 from app.engines.snapshot import Snapshot
-from app.viewmodels.names import spoken
+from app.viewmodels.names import display_name
 from app.words import local, mark, tr
 from tracker.base.toml_reader import parse_toml
 from tracker.messages import Calibration
@@ -222,7 +222,7 @@ def _imu(
     report: GloveReport | None,
     calibration: Calibration | None,
 ) -> list[DeviceValue]:
-    group, word = tr("IMUs"), spoken(name)
+    group, word = tr("IMUs"), display_name(name)
     answers = report.imu_ok[j] if report is not None and j < len(report.imu_ok) else None
     rows: list[tuple[str, str, Value, str, Confirmed | None]] = [
         ("answers", tr("Responding"), answers, "", None),

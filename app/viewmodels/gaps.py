@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from app.viewmodels.names import spoken
+from app.viewmodels.names import display_name
 from app.viewmodels.recording import position_text
 from app.viewmodels.states import BLUE, GREY, ORANGE, VERMILION, StateLook
 from app.words import mark, tr
@@ -117,7 +117,7 @@ class GapFilter:
 
 def part_text(part: str) -> str:
     """Name of a part: the whole hand, its wrist or a finger."""
-    return tr(_SIDES[part]) if part in _SIDES else spoken(part)
+    return tr(_SIDES[part]) if part in _SIDES else display_name(part)
 
 
 def side_text(side: str) -> str:
@@ -130,7 +130,7 @@ def cause_text(gap: Gap) -> str:
 
 def tip_of(gap: Gap) -> str:
     """The missing keypoints, and why the gap cannot be filled, if so."""
-    text = ", ".join(spoken(name) for name in gap.keypoints)
+    text = ", ".join(display_name(name) for name in gap.keypoints)
     if gap.fillable:
         return text
     reason = tr("It cannot be filled: there is no data on one side of the gap.")

@@ -45,10 +45,10 @@ class ShownGestures:
             self._recogniser.feed(estimate)
             self._t = estimate.t
         values, sure = self._recogniser.values, self._recogniser.confidences
-        return ", ".join(_said(n, values[n], sure[n]) for n in self._recogniser.active)
+        return ", ".join(_text(n, values[n], sure[n]) for n in self._recogniser.active)
 
 
-def _said(name: str, value: float, sure: float) -> str:
+def _text(name: str, value: float, sure: float) -> str:
     if sure < UNSURE:
         return tr("{} (low confidence)").format(tr(WORDS[name]))
     return f"{tr(WORDS[name])} {100 * value:.0f} %"

@@ -11,7 +11,7 @@ from enum import Enum
 
 import numpy as np
 
-from app.viewmodels.names import spoken
+from app.viewmodels.names import display_name
 from app.viewmodels.states import BAD, GOOD, IDLE, WARN, StateLook
 from app.words import local, notice_text, tr
 from tracker.base.notices import Notice
@@ -20,7 +20,7 @@ from tracker.calibration.wiggle import WiggleResult, WiggleTest, imu_motion, mov
 from tracker.messages import Array, ImuSample
 
 READY = 1.5  # s to read the instruction
-PATIENCE = 10.0  # s without motion after which the step is repeated
+STEP_TIMEOUT = 10.0  # s without motion after which the step is repeated
 GLANCE = 0.5  # s over which current motion is evaluated
 FULL_DPS = 200.0
 """Angular rate at the full length of a bar."""
@@ -72,7 +72,7 @@ class WiggleRun:
         elif self.phase == SetUpPhase.WAITING:
             if moving(imu_motion(last(recent, GLANCE)), self.test.params):
                 self._enter(SetUpPhase.RECORDING, now)
-            elif waited > PATIENCE:
+            elif waited > STEP_TIMEOUT:
                 self._hint = self.test.add(self.step, recent)
                 self._enter(SetUpPhase.READY, now)
         elif self.phase == SetUpPhase.RECORDING:
@@ -92,7 +92,7 @@ class WiggleRun:
 
 
 class StillRun:
-    """Waits until the hand has been still for long enough, at most ``PATIENCE`` s."""
+    """Waits until the hand has been still for long enough, at most ``STEP_TIMEOUT`` s."""
 
     def __init__(self, names: Sequence[str], params: StillParams | None = None) -> None:
         self._names, self._params = names, params or StillParams()
@@ -113,16 +113,16 @@ class StillRun:
         if waited < self._params.duration:
             return
         self.pose = still_pose(last(recent, self._params.duration), self._names, self._params)
-        self.done = self.pose.ok or waited > PATIENCE
+        self.done = self.pose.ok or waited > STEP_TIMEOUT
 
     @property
     def words(self) -> str:
         if self.pose is None:
             return tr("Lay the hand flat on the table, palm down, and hold it still.")
-        if self.pose.trouble is None:
+        if self.pose.problem is None:
             return tr("Measured.")
-        trouble = notice_text(self.pose.trouble)
-        return trouble if self.done else tr("Waiting for rest. {}").format(trouble)
+        problem = notice_text(self.pose.problem)
+        return problem if self.done else tr("Waiting for rest. {}").format(problem)
 
 
 def last(samples: Sequence[ImuSample], span: float) -> list[ImuSample]:
@@ -144,14 +144,14 @@ def still_rows(pose: StillPose) -> list[GloveRow]:
     for imu in pose.imus:
         bias = " ".join(f"{local(v):+.2f}" for v in np.rad2deg(imu.gyro_bias))
         texts = (
-            spoken(imu.name),
+            display_name(imu.name),
             bias,
             f"{local(np.rad2deg(imu.gyro_bias_sd)):.3f}",
             f"{local(1000 * np.rad2deg(imu.gyro_noise)):.1f}",
             f"{local(float(np.linalg.norm(imu.accel))):.2f}",
-            notice_text(imu.trouble) if imu.trouble is not None else tr("good"),
+            notice_text(imu.problem) if imu.problem is not None else tr("good"),
         )
-        rows.append(GloveRow(texts, BAD if imu.trouble is not None else GOOD))
+        rows.append(GloveRow(texts, BAD if imu.problem is not None else GOOD))
     return rows
 
 
@@ -168,7 +168,9 @@ WIGGLE_LOOKS = {
 def wiggle_rows(result: WiggleResult) -> list[GloveRow]:
     """IMU, state, explanation."""
     return [
-        GloveRow((spoken(r.name), r.state, notice_text(r.what)), WIGGLE_LOOKS.get(r.state, IDLE))
+        GloveRow(
+            (display_name(r.name), r.state, notice_text(r.what)), WIGGLE_LOOKS.get(r.state, IDLE)
+        )
         for r in result.rows
     ]
 

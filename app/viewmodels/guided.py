@@ -15,7 +15,7 @@ from tracker.hand.holding import NOTHING_ARRIVES, Holding
 from tracker.hand.poses import BETWEEN, HELD, POSES
 
 SLACK = 0.4  # s for which a pose may be held badly before it counts as released
-PATIENCE = 12.0  # s after which a pose that a visible hand does not hold is skipped
+POSE_TIMEOUT = 12.0  # s after which a pose that a visible hand does not hold is skipped
 LONGEST_STEP = (
     0.25  # maximum s between two evaluations that count as held, for example if the window stalls
 )
@@ -126,7 +126,7 @@ class GuidedRun:
                 self._begin(t)
             elif self.late and not self._is_unseen:  # wait for a hand that is not visible
                 self._missed += step
-                if self._missed > PATIENCE:
+                if self._missed > POSE_TIMEOUT:
                     self.skip(t)
             return
         if self.is_well:

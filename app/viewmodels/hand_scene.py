@@ -16,7 +16,7 @@ from app.words import tr
 from tracker.hand.model import HandModel
 from tracker.kernels.arrays import BoolVector
 from tracker.messages import (
-    SEEN_LATELY,
+    RECENT,
     Array,
     Calibration,
     Estimate,
@@ -33,7 +33,7 @@ FOLLOW_S = 1 / 30
 rate."""
 JUMP = 0.25  # m; a hand this far from the view's centre is centred at once
 SIDE_OFFSET = 0.09  # m from the centre, of each of two hands whose position is unknown
-MARKER_NEVER, MARKER_LATELY, MARKER_NOW = 0, 1, 2
+MARKER_NEVER, MARKER_RECENT, MARKER_NOW = 0, 1, 2
 
 
 CELL = 0.05  # m
@@ -276,7 +276,7 @@ class HandSceneModel:
         if result is not None:
             matched = (result.match_left >= 0) | (result.match_right >= 0)
             self._seen_at[matched] = result.t
-            states[t - self._seen_at < SEEN_LATELY] = MARKER_LATELY
+            states[t - self._seen_at < RECENT] = MARKER_RECENT
             states[matched & (result.visible >= 0)] = MARKER_NOW
         return states
 

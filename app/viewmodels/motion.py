@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.engines.engine import EngineSetup
-from app.viewmodels.names import spoken
+from app.viewmodels.names import display_name
 from tracker.messages import Array, Estimate, IntArray, Tracking, Validity
 from tracker.session.motion import (
     APERTURE,
@@ -27,7 +27,7 @@ from tracker.session.motion import (
     take_of,
 )
 
-LATELY = 10.0  # s of live data
+RECENT = 10.0  # s of live data
 STEP = 0.04  # minimum s between two values; well below the shortest hole
 
 
@@ -45,7 +45,7 @@ class MotionRow:
 
 def shown_name(name: str) -> str:
     """The name of an angle or a distance, in the user's language."""
-    return " - ".join(spoken(part) for part in name.split(" - "))
+    return " - ".join(display_name(part) for part in name.split(" - "))
 
 
 class MotionModel:
@@ -60,7 +60,7 @@ class MotionModel:
         self.pairs: list[Pair] = [APERTURE] if there else []
         self.units = Units()
         self.take: Take | None = None
-        self._lately: deque[Estimate] = deque()
+        self._latest: deque[Estimate] = deque()
 
     def choose_units(self, angle_unit: str) -> None:
         """``deg`` or ``rad``."""
@@ -97,15 +97,15 @@ class MotionModel:
         if not estimates:
             return
         now = estimates[-1].t
-        if self._lately and now < self._lately[-1].t:
-            self._lately.clear()  # the replay moved back
-        due = self._lately[-1].t + STEP if self._lately else -np.inf
+        if self._latest and now < self._latest[-1].t:
+            self._latest.clear()  # the replay moved back
+        due = self._latest[-1].t + STEP if self._latest else -np.inf
         for estimate in estimates[bisect_left(estimates, due - 1e-9, key=lambda e: e.t) :]:
             if estimate.t >= due - 1e-9:
-                self._lately.append(estimate)
+                self._latest.append(estimate)
                 due = estimate.t + STEP
-        while now - self._lately[0].t > LATELY:
-            self._lately.popleft()
+        while now - self._latest[0].t > RECENT:
+            self._latest.popleft()
 
     def rows(self, estimate: Estimate) -> list[MotionRow]:
         """The current values."""
@@ -144,10 +144,10 @@ class MotionModel:
         return t, 1000 * values
 
     def _recent(self) -> Take | None:
-        if not self._lately:
+        if not self._latest:
             return None
-        now = self._lately[-1].t
-        return take_of(list(self._lately), self.angle_names, self.limits, self.point_names, now)
+        now = self._latest[-1].t
+        return take_of(list(self._latest), self.angle_names, self.limits, self.point_names, now)
 
     def measures(self) -> list[Measure]:
         """Statistics of the whole recording once it is read, else of the last seconds."""

@@ -54,7 +54,7 @@ BONES = {
 
 def bone(segment: str) -> str:
     """``index_intermediate`` as ``index finger, second bone``, in the user's language."""
-    return tr(BONES[segment]) if segment in BONES else spoken(segment)
+    return tr(BONES[segment]) if segment in BONES else display_name(segment)
 
 
 def engine_name(name: str) -> str:
@@ -66,6 +66,6 @@ def engine_name(name: str) -> str:
         return name
 
 
-def spoken(name: str) -> str:
+def display_name(name: str) -> str:
     """``index_mcp_flexion`` as ``index mcp flexion``, in the user's language."""
     return " ".join(tr(WORDS[part]) if part in WORDS else part for part in name.split("_"))

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from app.storage.session_tags import move_tags
-from app.viewmodels.names import spoken
+from app.viewmodels.names import display_name
 from app.viewmodels.recording import duration_text
 from app.words import local, tr
 from tracker.base.errors import FileError
@@ -141,11 +141,11 @@ def _missing_images(status: Status, wanted: float) -> Missing:
 
 
 def _missing_imus(hand: HandNow) -> Missing:
-    lately = [s for s in hand.samples if s.t_arrival > hand.status.t - SILENT]
-    if not lately:
+    recent = [s for s in hand.samples if s.t_arrival > hand.status.t - SILENT]
+    if not recent:
         return {"glove": tr("no data from the glove")}
-    responding = np.any([s.valid for s in lately], axis=0)
-    silent = [spoken(name) for name, ok in zip(hand.imus, responding, strict=True) if not ok]
+    responding = np.any([s.valid for s in recent], axis=0)
+    silent = [display_name(name) for name, ok in zip(hand.imus, responding, strict=True) if not ok]
     if not silent:
         return {}
     if len(silent) == 1:

@@ -14,7 +14,7 @@ import numpy as np
 
 from app.engines.engine import EngineSetup
 from app.viewmodels.gestures import WORDS as GESTURE_WORDS
-from app.viewmodels.names import spoken
+from app.viewmodels.names import display_name
 from app.words import mark, tr
 from tracker import GRAVITY
 from tracker.gestures.values import GESTURES
@@ -138,8 +138,8 @@ def imu_signals(side: str, imu: int, name: str, hand: str = "") -> list[Signal]:
                     side=side,
                     source=SignalSource.IMU,
                     name=f"{name}/{column}/{'norm' if is_norm else axis}",
-                    path=(hand, tr("IMUs"), spoken(name), word, axis),
-                    label=f"{spoken(name)} {word} {axis}",
+                    path=(hand, tr("IMUs"), display_name(name), word, axis),
+                    label=f"{display_name(name)} {word} {axis}",
                     column=column,
                     index=(imu,) if is_norm else (imu, k),
                     unit=unit,
@@ -161,12 +161,12 @@ def angle_signal(side: str, column: int, name: str, hand: str = "", speed: bool 
     """A joint angle in degrees, or its change per second."""
     first, _, rest = name.partition("_")
     group = tr("Joint speeds") if speed else tr("Joint angles")
-    label = f"{spoken(name)} {tr('speed')}" if speed else spoken(name)
+    label = f"{display_name(name)} {tr('speed')}" if speed else display_name(name)
     return Signal(
         side=side,
         source=SignalSource.HAND,
         name=f"{'speed' if speed else 'angle'}/{name}",
-        path=(hand, group, spoken(first), spoken(rest)),
+        path=(hand, group, display_name(first), display_name(rest)),
         label=label,
         column="angles",
         index=(column,),
@@ -199,8 +199,8 @@ def _keypoints(setup: EngineSetup) -> list[Signal]:
                 side=setup.side,
                 source=SignalSource.HAND,
                 name=f"point/{name}/{own}",
-                path=(hand, tr("Keypoints"), spoken(name), word),
-                label=f"{spoken(name)} {word}",
+                path=(hand, tr("Keypoints"), display_name(name), word),
+                label=f"{display_name(name)} {word}",
                 column=column,
                 index=index,
                 unit=unit,

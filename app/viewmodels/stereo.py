@@ -69,13 +69,13 @@ def meters(cover: Coverage, params: CoverageParams | None = None) -> list[Meter]
     ]
 
 
-def say(answer: ExposureResult, trouble: Notice | None, cover: Coverage) -> str:
+def exposure_text(answer: ExposureResult, problem: Notice | None, cover: Coverage) -> str:
     """The message below the images."""
     more = advice(cover)
     if more is None:
         return tr("There are enough views. Press Calibrate.")
     if answer is ExposureResult.ABSENT:
-        return notice_text(trouble) if trouble is not None else ""
+        return notice_text(problem) if problem is not None else ""
     if answer is ExposureResult.TAKEN:
         return f"{tr(ANSWERS[answer])} {notice_text(more)}"
     return tr(ANSWERS[answer])

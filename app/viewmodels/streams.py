@@ -20,7 +20,7 @@ MOTORS = tuple(CHAINS)
 """The fingers, in the order of the glove's vibration motors."""
 
 
-LATELY = 60.0  # s for which the sender of a datagram counts as connected
+RECENT = 60.0  # s for which the sender of a datagram counts as connected
 
 
 @dataclass(frozen=True)
@@ -78,10 +78,10 @@ def door_row(on: bool, counts: DoorCounts | None, problem: str) -> StreamRow:
         return StreamRow(IDLE, tr("off"), "–", "–", "–", "")
     if counts is None:
         return StreamRow(IDLE, tr("opening"), "–", "–", "–", "")
-    lately = [(peer, ago) for peer, ago in counts.peers if ago < LATELY]
-    clients = len(lately) if counts.clients is None else counts.clients
+    recent = [(peer, ago) for peer, ago in counts.peers if ago < RECENT]
+    clients = len(recent) if counts.clients is None else counts.clients
     state = tr("connected") if clients else tr("no clients")
-    requests = [tr("{}, {} s ago").format(peer, f"{ago:.0f}") for peer, ago in reversed(lately)]
+    requests = [tr("{}, {} s ago").format(peer, f"{ago:.0f}") for peer, ago in reversed(recent)]
     tip = "\n".join([shown(counts.name), *requests[:8]])
     return StreamRow(GOOD, state, str(clients), str(counts.asked), str(counts.refused), tip)
 

@@ -72,7 +72,7 @@ class CurveCanvas:
         self, curves: Sequence[DrawnCurve], data: Sequence[tuple[Array, Array]], now: float
     ) -> None:
         """Draw the curves: t (k,) s, of which ``now`` is 0 of the axis, and values (k,) of each."""
-        PAINTING.give_way()
+        PAINTING.pause()
         self._follow_view()
         if self._place.isEmpty():
             self.label.hide()

@@ -61,11 +61,11 @@ def span_of(values: Array) -> tuple[float, float] | None:
 
 class CurvePlot(QWidget):
     """``pointed``: the instant under the pointer (s); ``left``: the pointer has left the plot;
-    ``sought``: a click at an instant while a position is shown."""
+    ``seek_requested``: a click at an instant while a position is shown."""
 
     pointed = Signal(float)
     left = Signal()
-    sought = Signal(float)
+    seek_requested = Signal(float)
 
     def __init__(self, title: str = "", parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -196,7 +196,7 @@ class CurvePlot(QWidget):
     def _clicked(self, event: object) -> None:
         at = self.plot.getPlotItem().vb.mapSceneToView(event.scenePos())  # type: ignore[attr-defined]
         if self.at.isVisible():
-            self.sought.emit(float(at.x()))
+            self.seek_requested.emit(float(at.x()))
 
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)

@@ -45,7 +45,7 @@ BACKGROUND = QColor("#15181c")
 MAX_ZOOM = 16.0
 MAX_FOLLOW_ZOOM = 4.0
 FILL = 0.6  # share of the view that a followed box fills
-CALM = 0.2  # relative movement per image
+STEADY = 0.2  # relative movement per image
 
 
 class ImageZoom:
@@ -107,8 +107,8 @@ class ImageZoom:
         view = self._view
         wanted = FILL * min(view.width() / max(width, 1), view.height() / max(height, 1))
         wanted = min(max(wanted / self._fitting(), 1.0), MAX_FOLLOW_ZOOM)
-        self.zoom += CALM * (wanted - self.zoom)
-        self.centre += (QPointF(u / self.width, v / self.height) - self.centre) * CALM
+        self.zoom += STEADY * (wanted - self.zoom)
+        self.centre += (QPointF(u / self.width, v / self.height) - self.centre) * STEADY
         self.clamp()
 
 
@@ -266,7 +266,7 @@ class ImageView(QWidget):
         corner = ratio * origin.x(), ratio * origin.y()
         state = (size, self.zoom.scale, corner, self.font().key())
         if state != self._composed:
-            PAINTING.give_way()
+            PAINTING.pause()
             self._labels = _labels_of(self.font(), ratio, self._labels)
             placing = Placing(ratio * self.zoom.scale, *corner, self._labels)
             self._canvas.compose(size, image, self._shapes, placing, BACKGROUND)

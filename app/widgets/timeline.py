@@ -47,7 +47,7 @@ class TimelineSpan:
 class TimelineBar(QWidget):
     """Mouse: press and drag. Keys: arrows step images, Page moves by seconds, Home and End."""
 
-    sought = Signal(float)
+    seek_requested = Signal(float)
     stepped = Signal(int)
     range_changed = Signal(float, float)
 
@@ -130,7 +130,7 @@ class TimelineBar(QWidget):
         start, stop = self._range
         if self._held == PLAYHEAD:
             self._position = position
-            self.sought.emit(position)
+            self.seek_requested.emit(position)
         elif self._held == "in":
             self.range_changed.emit(min(position, stop), stop)
         else:
@@ -148,9 +148,9 @@ class TimelineBar(QWidget):
         if key in steps:
             self.stepped.emit(steps[key])
         elif key in jumps:
-            self.sought.emit(min(max(self._position + jumps[key], 0.0), self._duration))
+            self.seek_requested.emit(min(max(self._position + jumps[key], 0.0), self._duration))
         elif key in ends:
-            self.sought.emit(ends[key])
+            self.seek_requested.emit(ends[key])
         else:
             super().keyPressEvent(event)
 

@@ -144,7 +144,7 @@ class BugReports(QObject):
 
     def offer(self, sentence: str) -> None:
         """Show the sentence in the message bar, with a button that begins a report."""
-        self._messages.say(sentence, self.action)
+        self._messages.show_message(sentence, self.action)
 
     @property
     def action(self) -> Action:
@@ -183,15 +183,15 @@ class BugReports(QObject):
             return write_bundle(path, material, choice)
 
         self._tasks.run(
-            self.tr("Saving the bug report"), job, lambda troubles: self._saved(path, troubles)
+            self.tr("Saving the bug report"), job, lambda problems: self._saved(path, problems)
         )
 
-    def _saved(self, path: Path, troubles: list[str]) -> None:
+    def _saved(self, path: Path, problems: list[str]) -> None:
         text = self.tr("Bug report saved: {}.").format(path)
-        if troubles:
-            text += self.tr(" Not included: {}.").format("; ".join(troubles))
+        if problems:
+            text += self.tr(" Not included: {}.").format("; ".join(problems))
         self._sources.host.happened.emit(Event(0.0, "note", text))
-        self._messages.say(text, good=not troubles)
+        self._messages.show_message(text, good=not problems)
 
     def _material(self, choice: Choice) -> Material:
         sources, host = self._sources, self._sources.host

@@ -15,7 +15,7 @@ from app.window.layouts import LEFT, Docks, Shares, resize, shares_of
 
 SMALLEST = (800, 500)
 FRAME = (16, 48)  # px: the largest frame and title bar of a window manager
-QUIET_MS = 250  # after the last change of the window's size
+SETTLE_MS = 250  # after the last change of the window's size
 
 
 def make_docks(window: QMainWindow, panels: Mapping[str, Panel]) -> dict[str, QDockWidget]:
@@ -104,7 +104,7 @@ class DockShares(QObject):
         if event.type() == QEvent.Type.Resize and self._is_shown():
             if watched is self._window:
                 QTimer.singleShot(0, self, self._apply)
-                self._rest.start(QUIET_MS)
+                self._rest.start(SETTLE_MS)
             elif not self._measuring:  # once for all docks that change together
                 self._measuring = True
                 QTimer.singleShot(0, self, self._measure)

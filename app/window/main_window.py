@@ -110,7 +110,7 @@ class MainWindow(QMainWindow):
         self.ticker.no_hand.connect(hint.no_hand)
         self.ticker.start()
         for text in self.not_made:
-            self.messages.say(text)
+            self.messages.show_message(text)
 
     # --- making
 
@@ -205,9 +205,9 @@ class MainWindow(QMainWindow):
         host.running_changed.connect(lambda _on: self._enable())
         host.recording.changed.connect(lambda _on: self._enable())
         self.checks.recover.connect(self.recent.recover)
-        self.set_up.error.connect(self.router.say)
+        self.set_up.error.connect(self.router.show_message)
         self.tasks.failed.connect(self.router.show_failed_job)
-        self.tasks.noted.connect(self.router.say)
+        self.tasks.noted.connect(self.router.show_message)
         self.set_up.changed.connect(lambda: self.messages.no_longer(DEVICES))
         self.set_up.restart.connect(self.sources.open_devices)
         self.set_up.reopen.connect(self.sources.reopen)
@@ -322,7 +322,7 @@ class MainWindow(QMainWindow):
         """The language of the next start; texts on the screen do not change."""
         self.store.update(language=code)
         text = self.tr("The language changes after a restart.")
-        self.messages.say(text, good=True)
+        self.messages.show_message(text, good=True)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """End everything in order: timer, jobs, engine and file, GL."""
@@ -343,7 +343,7 @@ class MainWindow(QMainWindow):
 def bug_reports(window: MainWindow, crashes: CrashWatch | None) -> BugReports:
     """Makes the bug reports of this window; shows a notice of its settings, if there is one."""
     if window.store.notice:
-        window.messages.say(window.store.notice)
+        window.messages.show_message(window.store.notice)
     private = [window.docks[name] for name, kind in window.kinds.items() if kind.private]
     sources = ReportSources(window.host, window.store, window.log.model, private)
     return BugReports(sources, window.tasks, window.messages, window, crashes)

@@ -30,7 +30,7 @@ MOVES = (
     QEvent.Type.Hide,
 )
 READ_MS = 8_000
-"""After which messages of success disappear; see `MessageBar.say`."""
+"""After which messages of success disappear; see `MessageBar.show_message`."""
 CHOOSE_MS = 20_000
 """The same for messages with buttons."""
 SIDE = 200  # px
@@ -62,7 +62,7 @@ class MessageBar(QWidget):
         window.installEventFilter(self)
         self.hide()
 
-    def say(
+    def show_message(
         self,
         text: str,
         *actions: Action,
@@ -230,7 +230,7 @@ class ColoursHint(QObject):
         )
         fit = (self.tr("Fit colours now"), self._fit)
         look = (self.tr("Show the colours"), lambda: self._show(self._panel.name))
-        self._messages.say(text, fit, look, about=COLOURS)
+        self._messages.show_message(text, fit, look, about=COLOURS)
 
     def no_hand(self) -> None:
         """Packets and images arrive, and no hand has been found in them since the start."""
@@ -247,7 +247,7 @@ class DeviceSearch(Protocol):
     @property
     def looking_for_devices(self) -> bool: ...
 
-    def tell_of_devices(self, text: str) -> None: ...
+    def show_device_message(self, text: str) -> None: ...
 
 
 class MessageRouter(QObject):
@@ -265,19 +265,19 @@ class MessageRouter(QObject):
         self._messages, self._host, self._devices = messages, host, devices
         self._log, self._calibration = log, calibration
         messages.shown.connect(self._add_to_log)
-        host.error.connect(self.say)
+        host.error.connect(self.show_message)
         host.happened.connect(self._show_event)
 
-    def say(self, text: str) -> None:
+    def show_message(self, text: str) -> None:
         """Show an error."""
-        self._messages.say(text)
+        self._messages.show_message(text)
 
     def show_failed_job(self, text: str) -> None:
         """The set-up can help where devices were searched for."""
         if self._devices.looking_for_devices:
-            self._devices.tell_of_devices(text)
+            self._devices.show_device_message(text)
         else:
-            self._messages.say(text)
+            self._messages.show_message(text)
 
     def _show_event(self, event: Event) -> None:
         """Only what the user can fix now: not the events of a session that is replayed."""
@@ -285,9 +285,9 @@ class MessageRouter(QObject):
         if setup is None or setup.player is not None:
             return
         if event.kind == "error" or event.code == "glove.port_denied":
-            self._devices.tell_of_devices(event_text(event))
+            self._devices.show_device_message(event_text(event))
         elif event.kind == "device" and event.code.startswith(RESETS):
-            self._messages.say(event_text(event), good=True)
+            self._messages.show_message(event_text(event), good=True)
 
     def _add_to_log(self, text: str, good: bool) -> None:
         """Once, where the log does not end with the same text already."""
@@ -299,8 +299,8 @@ class MessageRouter(QObject):
         if not self._calibration.profiles.keep_learned():
             text = self.tr("The calibration is used until this session ends.")
             ask = (self.tr("Save it to a profile…"), self._calibration.wearer.ask_name)
-            self._messages.say(text, ask, good=True)
+            self._messages.show_message(text, ask, good=True)
 
     def show_removed(self, text: str, undo: Callable[[], None]) -> None:
         """Offer to undo a removal, which was not confirmed."""
-        self._messages.say(text, (self.tr("Undo"), undo), good=True)
+        self._messages.show_message(text, (self.tr("Undo"), undo), good=True)

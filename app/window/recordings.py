@@ -115,7 +115,7 @@ class RecordingChecks(QObject):
         if not missing:
             self._messages.no_longer(ABOUT)
         elif not self._dismissed and (changed or not self._messages.isVisible()):
-            self._messages.say(missing_text(missing), about=ABOUT)
+            self._messages.show_message(missing_text(missing), about=ABOUT)
 
     def _note_dismissed(self, about: str) -> None:
         """The user has read it: do not show it again."""
@@ -133,7 +133,7 @@ class RecordingChecks(QObject):
             return  # the next one is in progress
         path, ended_by = report.path, self._host.recording.ended_by
         recover = (self.tr("Recover"), partial(self.recover.emit, path))
-        self._messages.say(
+        self._messages.show_message(
             " ".join(filter(None, (ended_by, report_text(report)))),
             *([recover] if report.cut_off else []),
             (self.tr("Show"), partial(self._show, path)),
@@ -154,7 +154,7 @@ class RecordingChecks(QObject):
             text = self.tr("{} recordings moved to the trash.").format(len(sessions))
         undo = (self.tr("Undo"), partial(self._library.files.restore, sessions))
         able = all(session.can_be_restored for session in sessions)
-        self._messages.say(text, *([undo] if able else []), good=True)
+        self._messages.show_message(text, *([undo] if able else []), good=True)
 
     # --- notes
 
@@ -266,7 +266,7 @@ class RecentSessions(QObject):
             self._remember(path)
             text = self.tr("{} Your recording {} is complete.").format(sentence, path.stem)
             show = (self.tr("Show"), partial(self._library.replay.emit, path))
-            self._messages.say(text, show, report)
+            self._messages.show_message(text, show, report)
 
         title = self.tr("Checking {}").format(path.name)
         self._tasks.run(title, job, done, self.look)
@@ -278,11 +278,13 @@ class RecentSessions(QObject):
             text = self.tr("Recording {} was cut off. Its contents were recovered to {}.")
             show = (self.tr("Show"), partial(self._library.replay.emit, whole))
             text = f"{before} {text.format(path.name, whole.name)}".strip()
-            self._messages.say(text, show, *others)
+            self._messages.show_message(text, show, *others)
         else:
             text = self.tr("Recording {} was cut off. Its contents can be recovered.")
             recover = (self.tr("Recover"), partial(self.recover, path))
-            self._messages.say(f"{before} {text.format(path.name)}".strip(), recover, *others)
+            self._messages.show_message(
+                f"{before} {text.format(path.name)}".strip(), recover, *others
+            )
 
     def _remember(self, path: Path) -> None:
         self._store.update(recent=with_recent(self._store.value.recent, path))
@@ -309,7 +311,7 @@ class RecentSessions(QObject):
         """Offer the next steps with a new session."""
         show = (self.tr("Show"), partial(self._library.replay.emit, path))
         export = (self.tr("Export…"), partial(self._library.ask_export_of, [path]))
-        self._messages.say(text, show, export, good=True)
+        self._messages.show_message(text, show, export, good=True)
 
 
 # ---- checks a finished recording: whether it is complete, and how well it was tracked

@@ -150,7 +150,7 @@ class SetUpDialogs(QObject):
             return
         found = {c.name: c.value for c in setup.camera.controls.controls() if c.available}
         self._store.update(camera_locks=locks_text(Locks(**found)))
-        setup.camera.controls.want(Locks(**found))
+        setup.camera.controls.request_locks(Locks(**found))
 
     # --- the wearer
 

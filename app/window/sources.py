@@ -248,7 +248,7 @@ class Sources(QObject):
         if setup.whole and setup.live is not None:
             setup.live.engine.set_engine(self._store.value.engine)
         elif setup.missing:
-            self.tell_of_devices(setup.missing)
+            self.show_device_message(setup.missing)
 
     def toggle_apart(self) -> None:
         """Track in a process of its own, or in the window's, from the next start of tracking on."""
@@ -260,13 +260,13 @@ class Sources(QObject):
         """Expect the other hand's glove, or do not, when devices are opened next."""
         self._store.update(both_hands=not self._store.value.both_hands)
 
-    def tell_of_devices(self, text: str) -> None:
+    def show_device_message(self, text: str) -> None:
         """Show what is missing, with a button to the checklist, until devices are chosen again."""
         self.looking_for_devices = False
         actions = [(self.tr("Show checklist"), self.set_up_asked.emit)]
         if RULES in text:  # access was denied, and the sentence names the remedy
             actions.insert(0, (self.tr("Udev rule…"), self.rule_asked.emit))
-        self._messages.say(text, *actions, about=DEVICES)
+        self._messages.show_message(text, *actions, about=DEVICES)
         if self._host.setup is None:
             self.plugged.begin()
 
@@ -276,7 +276,9 @@ class Sources(QObject):
             self.open_devices()
             return
         text = self.tr("Plugged in: {}.").format(", ".join(names))
-        self._messages.say(text, (self.tr("Connect"), self.open_devices), about=DEVICES, good=True)
+        self._messages.show_message(
+            text, (self.tr("Connect"), self.open_devices), about=DEVICES, good=True
+        )
 
     def set_engine(self, name: str) -> None:
         """Track with another engine, now and after the next start."""
@@ -288,7 +290,7 @@ class Sources(QObject):
         if self._host.recording.request is not None:
             text = self.tr("{} cannot be opened during a recording.").format(what.name)
             open_now = (self.tr("Stop recording and open"), partial(self._open_now, what, begun))
-            self._messages.say(text, open_now)
+            self._messages.show_message(text, open_now)
         else:
             self._open_now(what, begun)
 

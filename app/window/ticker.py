@@ -49,7 +49,7 @@ class Floor(NamedTuple):
     slowest: float
 
 
-STRAINED = Floor(0.3, 1 / 20)  # the window must not look frozen
+OVERLOADED = Floor(0.3, 1 / 20)  # the window must not look frozen
 STARVED = Floor(0.1, 1 / 8)
 """While tracking searches fewer images than arrive, whatever else was given up before."""
 TICK_MS = 16
@@ -102,7 +102,7 @@ class Refresher:
 
     def _refresh(self, panel: Panel, view: Snapshot | None) -> bool:
         """Returns whether it succeeded."""
-        PAINTING.give_way()
+        PAINTING.pause()
         try:
             panel.refresh(view)
         except Exception as error:  # noqa: BLE001  one panel's fault must not stop the others
@@ -127,14 +127,14 @@ class Pace:
 
     def __init__(self) -> None:
         self.share = 1.0
-        self._floor = STRAINED
+        self._floor = OVERLOADED
         self._last = (0.0, 0.0)  # the time of the last drawing, and ``spent`` then
 
-    def look(self, strained: bool, starved: bool = False) -> None:
-        """Adapt the share, a few times a second; ``strained``: images are left out; ``starved``:
+    def look(self, overloaded: bool, starved: bool = False) -> None:
+        """Adapt the share, a few times a second; ``overloaded``: images are left out; ``starved``:
         on purpose (`Shed.IMAGES`)."""
-        self._floor = STARVED if starved else STRAINED
-        if strained or starved:
+        self._floor = STARVED if starved else OVERLOADED
+        if overloaded or starved:
             self.share = max(self._floor.share, LESS * self.share)
         else:
             self.share = min(1.0, self.share + MORE)
@@ -207,8 +207,8 @@ class Ticker(QObject):
         now = time.monotonic()
         setup, hurried = self._host.setup, self.is_waited_for()
         live = setup.live if setup is not None else None
-        gives_way = hurried or (setup is not None and bool(setup.others))
-        PAINTING.to = live.engine.right_of_way if live is not None and gives_way else None
+        should_pause = hurried or (setup is not None and bool(setup.others))
+        PAINTING.priority = live.engine.work_priority if live is not None and should_pause else None
         if not self._pace.is_due(now, time.thread_time(), hurried):
             return
         self.ticks += 1
@@ -251,8 +251,8 @@ class Ticker(QObject):
         statuses = {v.setup.side: v.status for v in hands}
         self._bar.show_hands(statuses, self._host.running, placed, replayed)
         values = view.status.values if view is not None and view.status is not None else {}
-        starved = view is not None and view.is_strained and view.shed >= Shed.IMAGES
-        self._pace.look(view is not None and view.is_strained, starved)
+        starved = view is not None and view.is_overloaded and view.shed >= Shed.IMAGES
+        self._pace.look(view is not None and view.is_overloaded, starved)
         unfit = bool(values.get("colours_unfit", 0.0))
         if unfit != self._unfit:
             self._unfit = unfit

@@ -253,7 +253,7 @@ class CameraSetup(FormDialog):
         self._store.update(camera_locks=locks_text(locks))
         setup = self._host.setup
         if setup is not None and setup.camera.controls is not None:
-            setup.camera.controls.want(locks)
+            setup.camera.controls.request_locks(locks)
 
     def done(self, result: int) -> None:
         self._timer.stop()

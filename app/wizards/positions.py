@@ -16,7 +16,7 @@ from app.jobs.own_gloves import save_own
 from app.platform.tasks import JobProgress, TaskOwner
 from app.storage.settings import SettingsStore
 from app.viewmodels.guided_hand import DRAWN, MOVE, Shown
-from app.viewmodels.names import spoken
+from app.viewmodels.names import display_name
 from app.viewmodels.states import BAD, BLUISH_GREEN, GOOD, ORANGE, SKY
 from app.wizards.leading.dialog import LeadingDialog
 from app.wizards.leading.outcome import OutcomePage
@@ -346,7 +346,7 @@ class AxesWords(NamedTuple):
 def axes_words(found: Sequence[ImuAxesRow], file: str) -> AxesWords:
     """The texts of the result; ``file`` is the name of the file that *Save* writes."""
     usable = [row for row in found if row.is_usable]
-    rows = [(spoken(r.name), _size(r, "accel"), _size(r, "gyro"), _verdict(r)) for r in found]
+    rows = [(display_name(r.name), _size(r, "accel"), _size(r, "gyro"), _verdict(r)) for r in found]
     colours = [GOOD.colour if r.is_usable else BAD.colour for r in found]
     heading = tr("{} of {} IMUs measured").format(len(usable), len(found))
     if not usable:

@@ -87,7 +87,7 @@ class LiveApplication(ReplayedApplication):
         self._next: _Fed | None = None
         self._thread: threading.Thread | None = None
         live.telemetry.ask(self._figures)
-        self._sender, self._sent, self._shown = ArraySender(), StageNews(), 0
+        self._sender, self._sent, self._shown = ArraySender(), StageUpdate(), 0
 
     def feed(self, estimate: Estimate, t_arrival: float) -> None:
         """Queue an estimate for the thread."""
@@ -110,7 +110,7 @@ class LiveApplication(ReplayedApplication):
 
     # --- requests of `ApplicationProxy`
 
-    def show(self, name: str, settings: Mapping[str, Any] | None = None) -> StageNews:
+    def show(self, name: str, settings: Mapping[str, Any] | None = None) -> StageUpdate:
         """As `ApplicationStage.show`; returns the new state."""
         self.stage.show(name, settings)
         self._shown += 1
@@ -121,17 +121,17 @@ class LiveApplication(ReplayedApplication):
         self.stage.set(key, value)
 
     def news(self) -> Packed | None:
-        """A `StageNews` if the state has changed."""
+        """A `StageUpdate` if the state has changed."""
         now = self._state()
         if now == self._sent:
             return None
         self._sent = now
         return self._sender.pack(now)
 
-    def _state(self) -> StageNews:
+    def _state(self) -> StageUpdate:
         shown, stage = self._shown, self.stage  # in this order
         counts = Counter(dict(stage.counts))
-        return StageNews(
+        return StageUpdate(
             shown,
             stage.name,
             stage.title,
@@ -182,12 +182,12 @@ class LiveApplication(ReplayedApplication):
 # ---- applications of a hand that another process tracks: they run there, next to the glove's
 # motors
 #
-# The window has an `ApplicationProxy` with a `RemoteStage`, which shows what the last `StageNews`
+# The window has an `ApplicationProxy` with a `RemoteStage`, which shows what the last `StageUpdate`
 # contained and passes the user's choices on.
 
 
 @dataclass(frozen=True)
-class StageNews:
+class StageUpdate:
     """The state of a stage: see `ApplicationStage`. ``shown`` counts the applications that were
     started or stopped before."""
 
@@ -207,7 +207,7 @@ class RemoteStage:
 
     def __init__(self, line: ListenerLine) -> None:
         self._line = line
-        self._news = StageNews()  # replaced, never changed
+        self._news = StageUpdate()  # replaced, never changed
         self._replacing = threading.Lock()
         self.viewers: list[Viewer] = []
 
@@ -250,7 +250,7 @@ class RemoteStage:
 
     def show(self, name: str, settings: Mapping[str, Any] | None = None) -> None:
         """As `ApplicationStage.show`. Raises GlovetrackError."""
-        shown: StageNews = self._line.ask("show", name, settings)
+        shown: StageUpdate = self._line.ask("show", name, settings)
         self._replace(shown)
 
     def set(self, key: str, value: Any) -> None:
@@ -260,13 +260,13 @@ class RemoteStage:
     def restart(self) -> None:
         self._line.tell("restart")
 
-    def take(self, news: StageNews) -> None:
+    def take(self, news: StageUpdate) -> None:
         """News that were sent before the last `show` are discarded."""
         if self._replace(news) and news.outcome is not None:
             for viewer in list(self.viewers):
                 viewer.show(news.title, news.outcome.hand, news.outcome.drawing)
 
-    def _replace(self, news: StageNews) -> bool:
+    def _replace(self, news: StageUpdate) -> bool:
         with self._replacing:
             if news.shown < self._news.shown:
                 return False

@@ -69,10 +69,10 @@ def make(name: str, settings: Mapping[str, Any] | None = None) -> Application:
 def settings_of(known: type[Any], values: Mapping[str, Any], name: str) -> Any:
     """Settings of type ``known`` with ``values``. Raises ConfigError."""
 
-    def complain(path: str, why: Notice) -> None:
+    def on_problem(path: str, why: Notice) -> None:
         raise ConfigError(notice("config.key", file=name, key=path, why=why))
 
-    return from_dict(known, dict(values), complain)
+    return from_dict(known, dict(values), on_problem)
 
 
 def changed(settings: Any, key: str, value: Any, name: str) -> Any:

@@ -27,7 +27,7 @@ from tracker.streaming.publisher import LOOPBACK, Names, StreamError
 from tracker.streaming.udp import DEFAULT_PORT
 
 SILENCE = 3.0  # s without data after which a stream has ended
-PATIENCE = 30.0  # s, timeout for the first hand of a stream
+TIMEOUT = 30.0  # s, timeout for the first hand of a stream
 
 
 class HandSource(NamedTuple):
@@ -100,7 +100,7 @@ def _udp(address: str) -> Iterator[bytes]:
 def _datagrams(port: int) -> Iterator[bytes]:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as listener:
         listener.bind((LOOPBACK, port))
-        timeout = PATIENCE
+        timeout = TIMEOUT
         try:
             while True:
                 listener.settimeout(timeout)
@@ -112,8 +112,8 @@ def _datagrams(port: int) -> Iterator[bytes]:
 
 def _need_some(timeout: float, where: str, error: Exception) -> None:
     """Raises StreamError if a stream ends before its first estimate."""
-    if timeout == PATIENCE:
-        raise StreamError(notice("applications.no_hand", where=where, wait_s=PATIENCE)) from error
+    if timeout == TIMEOUT:
+        raise StreamError(notice("applications.no_hand", where=where, wait_s=TIMEOUT)) from error
 
 
 def _websocket(address: str) -> Iterator[str | bytes]:
@@ -127,7 +127,7 @@ def _websocket(address: str) -> Iterator[str | bytes]:
     except OSError as error:
         raise ConfigError(notice("applications.no_server", address=address, why=error)) from error
     with connection:
-        timeout = PATIENCE
+        timeout = TIMEOUT
         try:
             while True:
                 data, timeout = connection.recv(timeout), SILENCE

@@ -144,7 +144,7 @@ class ApplicationStage:
             self._restart = restart and resting
         for before in ending:
             if before.has_begun:
-                self._hear(before.ended(estimate.t))
+                self._receive(before.ended(estimate.t))
         if runner is None or resting:
             return
         if restart:
@@ -165,9 +165,9 @@ class ApplicationStage:
         for viewer in list(self.viewers):
             viewer.show(self.title, outcome.hand, outcome.drawing)
         for event in outcome.events:
-            self._hear(event)
+            self._receive(event)
 
-    def _hear(self, event: Event) -> None:
+    def _receive(self, event: Event) -> None:
         self.counts[str(event.data["what"])] += 1
         self.last = event
         self.latest = {
@@ -181,7 +181,7 @@ class ApplicationStage:
         _log.error("The application %s failed", runner.name, exc_info=error)
         self.problem = f"{type(error).__name__}: {error}"
         data: dict[str, object] = {"application": runner.name, "hand": runner.side, "what": FAILED}
-        self._hear(Event(t, KIND, self.problem, data))
+        self._receive(Event(t, KIND, self.problem, data))
 
     def close(self) -> None:
         """Stop all devices."""

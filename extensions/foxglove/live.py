@@ -63,7 +63,7 @@ from tracker.streaming.publisher import LOOPBACK, Names, OtherHand, Publisher, S
 from tracker.streaming.server_thread import LOCAL_PAGE, ServerThread
 from tracker.streaming.text import HOLE, TextForm, holes
 
-MAX_SAID = 2**16  # bytes of a client's message
+MAX_CLIENT_MESSAGE = 2**16  # bytes of a client's message
 ESTIMATE, SCENE, TRANSFORMS, JOINTS, DESCRIPTION = 1, 2, 3, 4, 5
 """Channels of the first hand; those of the next hand are 6 to 10."""
 FOXGLOVE_PAGES = ("https://app.foxglove.dev", "https://studio.foxglove.dev")
@@ -100,7 +100,7 @@ class FoxglovePublisher:
             port,
             subprotocols=[Subprotocol(s) for s in SUBPROTOCOLS],
             origins=[None, LOCAL_PAGE, *(Origin(o) for o in (*FOXGLOVE_PAGES, *origins))],
-            max_size=MAX_SAID,
+            max_size=MAX_CLIENT_MESSAGE,
         )
         self.port = self._server.port
         self.name = notice("stream.at", stream="Foxglove", host=host, port=self.port)
@@ -224,8 +224,8 @@ class _Connection:
             before = set(self.wants.by_channel)
             try:
                 self.wants.receive(text)
-            except ProtocolError as trouble:
-                await self._connection.send(error(str(trouble)))
+            except ProtocolError as problem:
+                await self._connection.send(error(str(problem)))
             for channel in self.wants.by_channel.keys() & self._once.keys() - before:
                 self.offer(channel, time.time_ns(), self._once[channel])
 

@@ -171,7 +171,7 @@ class Run:
     """The loop around a `Conductor`."""
 
     def __init__(self, progress: Progress, say: Say) -> None:
-        self._progress, self._say = progress, say
+        self._progress, self._report_line = progress, say
         self._protocol: Protocol = progress.protocol
         self._station = SimulatedStation(self._protocol)
         self._conductor = Conductor(progress, self._station)
@@ -219,13 +219,13 @@ class Run:
         conductor, verdict = self._conductor, self._conductor.verdict
         assert verdict is not None
         if verdict.is_good:
-            self._say(f"{step.name}: accepted ({summary(verdict)})")
+            self._report_line(f"{step.name}: accepted ({summary(verdict)})")
             conductor.go_on(self._t)
         elif conductor.progress.tries < self._protocol.tries:
-            self._say(f"{step.name}: repeated. {_why(verdict)}")
+            self._report_line(f"{step.name}: repeated. {_why(verdict)}")
             conductor.repeat(self._t)
         else:
-            self._say(f"{step.name}: failed. {_why(verdict)}")
+            self._report_line(f"{step.name}: failed. {_why(verdict)}")
             conductor.give_up()
 
 

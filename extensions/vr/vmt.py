@@ -39,7 +39,7 @@ MODE = {"left": 5, "right": 6}  # a controller with the inputs of a Valve Index
 OFF = 0
 TRIGGER, GRIP, GRIP_FORCE, FIRST_FINGER = 0, 1, 2, 3
 A_BUTTON, B_BUTTON = 1, 3
-ALIVE_WAIT = 1.5  # s; the driver reports every second
+DRIVER_WAIT = 1.5  # s; the driver reports every second
 MOST_ANSWER = 4096  # bytes
 NOW = 0.0  # the time offset of every message
 
@@ -130,10 +130,10 @@ class VmtPublisher:
         return message(f"/VMT/Input/{kind}", self._device, index, NOW, value)
 
 
-def driver_version(port: int = ANSWER_PORT, patience: float = ALIVE_WAIT) -> str | None:
+def driver_version(port: int = ANSWER_PORT, timeout: float = DRIVER_WAIT) -> str | None:
     """The version that VMT's driver on this computer reports; None where it reports none."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as answers:
-        end = time.monotonic() + patience
+        end = time.monotonic() + timeout
         try:
             answers.bind((LOOPBACK, port))
             while (left := end - time.monotonic()) > 0:

@@ -155,7 +155,7 @@ def test_a_simulated_board_in_front_of_one_camera_is_found() -> None:
     look = BoardFinder(SPEC).look(*pair)
     assert look.view is not None and look.view.right is None
     empty = BoardFinder(SPEC).look(np.full_like(pair[0], 90))
-    assert empty.trouble is not None and empty.trouble.code == "board.not_seen"
+    assert empty.problem is not None and empty.problem.code == "board.not_seen"
 
 
 # --- two cameras whose images differ in size
@@ -206,7 +206,7 @@ def test_real_chessboard_images_of_one_camera_give_its_lens(data_folder: Path) -
     finder, found = BoardFinder(BoardSpec("chessboard", 10, 7, 0.025)), []
     for path in sorted((data_folder / "stereo_chessboard").glob("left*.jpg")):
         look = finder.look(cv2.imread(str(path)), None)
-        assert look.view is not None and look.view.right is None, f"{path.name}: {look.trouble}"
+        assert look.view is not None and look.view.right is None, f"{path.name}: {look.problem}"
         found.append(look.view)
     s = solve(found, [(640, 480)], SolveParams(least_views=len(found)))
     assert s.rms_px < 0.5

@@ -143,7 +143,7 @@ def test_corners_are_found_at_their_projections(kind):
         centre = np.array([0.03, 0.0, 0.33])
         pose = BoardPose(turn, centre - turn @ [spec.width / 2, spec.height / 2, 0])
         look = finder.look(*renderer.pair(pose, rng))
-        assert look.view is not None, look.trouble
+        assert look.view is not None, look.problem
         p_C = look.view.points @ pose.R_CB.T + pose.p_CB
         for found, expected in zip(
             (look.view.left, look.view.right), project(RIG, p_C), strict=True
@@ -159,12 +159,12 @@ def test_an_unusable_image_is_reported():
     finder = BoardFinder(SPEC)
     page = cv2.copyMakeBorder(board_image(SPEC, 30), *(40,) * 4, cv2.BORDER_CONSTANT, value=255)
     wall = np.full_like(page, 90)
-    assert finder.look(page, wall).trouble == warning("board.not_seen_side", side="right")
+    assert finder.look(page, wall).problem == warning("board.not_seen_side", side="right")
     mirrored = np.ascontiguousarray(page[:, ::-1])
-    assert finder.look(mirrored, page).trouble == warning("board.mirrored_side", side="left")
+    assert finder.look(mirrored, page).problem == warning("board.mirrored_side", side="left")
     left, right = page.copy(), page.copy()
     left[:, 190:], right[:, :190] = 90, 90
-    assert finder.look(left, right).trouble == warning("board.parts_differ")
+    assert finder.look(left, right).problem == warning("board.parts_differ")
 
 
 # --- collecting
@@ -416,7 +416,7 @@ def test_real_chessboard_images_give_a_plausible_rig(data_folder: Path):
     for left in sorted(folder.glob("left*.jpg")):
         right = left.with_name(left.name.replace("left", "right"))
         look = finder.look(cv2.imread(str(left)), cv2.imread(str(right)))
-        assert look.view is not None, f"{left.name}: {look.trouble}"
+        assert look.view is not None, f"{left.name}: {look.problem}"
         found.append(look.view)
     s = solve(found, SIZES_VGA)
     assert s.rms_px < 0.6

@@ -159,7 +159,7 @@ def _bias_at_rest(simulator, i):
 def test_biases_and_noise_at_rest_are_the_simulated_ones(hand, glove, seed):
     packets, simulator = samples(hand, glove, "rest", seed, StillParams().duration)
     pose = still_pose(packets, glove.imu_names)
-    assert pose.ok, pose.trouble
+    assert pose.ok, pose.problem
     noise = np.deg2rad(simulator.params.gyro_noise_deg)
     for i, imu in enumerate(pose.imus):
         # the random walk of the bias, 0.05 °/s, is included
@@ -179,17 +179,17 @@ def test_a_moving_finger_is_rejected_and_named(hand, glove):
         gyro[i] = moved.gyro[i]
         packets.append(replace(still, gyro=gyro))
     pose = still_pose(packets, glove.imu_names)
-    assert pose.trouble == warning("still.moved", moving=["index_intermediate"])
+    assert pose.problem == warning("still.moved", moving=["index_intermediate"])
 
 
 def test_too_short_a_rest_and_a_disconnected_imu_are_reported(hand, glove):
     packets, _ = samples(hand, glove, "rest", seconds=2.0)
-    short = still_pose(packets[:100], glove.imu_names).trouble
+    short = still_pose(packets[:100], glove.imu_names).problem
     assert short is not None and (short.code, short.values["needed_s"]) == ("still.too_short", 2.0)
-    nothing = still_pose([], glove.imu_names).trouble
+    nothing = still_pose([], glove.imu_names).problem
     assert nothing is not None and nothing.code == "still.too_short"
     one = warning("still.imu", imu="thumb_metacarpal", what=warning("still.imu_silent"))
-    assert still_pose(silent(packets, 1), glove.imu_names).trouble == warning(
+    assert still_pose(silent(packets, 1), glove.imu_names).problem == warning(
         "still.imus", imus=[one]
     )
 
@@ -197,7 +197,7 @@ def test_too_short_a_rest_and_a_disconnected_imu_are_reported(hand, glove):
 def test_an_accelerometer_with_a_large_error_is_reported(hand, glove):
     packets, _ = samples(hand, glove, "rest", seconds=2.0)
     off = [replace(s, accel=1.15 * s.accel) for s in packets]
-    found = {i.trouble.code for i in still_pose(off, glove.imu_names).imus if i.trouble}
+    found = {i.problem.code for i in still_pose(off, glove.imu_names).imus if i.problem}
     assert found == {"still.imu_gravity"}
 
 

@@ -133,7 +133,7 @@ def bare(folder: Path, **changes: object) -> Machine:
         cameras=list,
         is_accessible=lambda path: True,
         writing_speed=lambda where, size: 500.0,
-        patience=2.0,
+        timeout=2.0,
         duration=1.0,
     )
     return replace(machine, **changes)

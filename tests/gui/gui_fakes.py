@@ -17,7 +17,7 @@ from resources import folder
 from tracker.glove.files import parse_glove
 from tracker.hand.files import parse_hand
 from tracker.live.history import SearchedImage
-from tracker.live.right_of_way import RightOfWay
+from tracker.live.work_priority import WorkPriority
 from tracker.messages import (
     Calibration,
     Estimate,
@@ -115,14 +115,14 @@ class ScriptedEngine:
         self.started = self.stopped = 0
         self.lost: tuple[int, ...] = ()
         self._looked_at: list[Estimate] = []
-        self.right_of_way = RightOfWay()
+        self.work_priority = WorkPriority()
         self.commands: list[str] = []
         self.events = [Event(0.0, "device", "Glove found.")]
 
     def start(self) -> None:
         self.started += 1
 
-    def stop(self, patience: float | None = None) -> None:
+    def stop(self, timeout: float | None = None) -> None:
         self.stopped += 1
         self.set_recorder(None)
 
@@ -308,7 +308,7 @@ class ScriptedGlove:
     def report(self) -> GloveReport:
         return self.now
 
-    def want_rate(self, rate_hz: int) -> None:
+    def request_rate(self, rate_hz: int) -> None:
         measured = float(rate_hz) if self.obeys else self.now.rate_hz
         self.now = self.now._replace(rate_asked_hz=rate_hz, rate_hz=measured)
 

@@ -241,7 +241,7 @@ def test_a_source_that_cannot_be_opened_says_why(connect):
 
 def test_a_device_that_hangs_does_not_hang_the_window(connect):
     engine, released = Subscribed(), threading.Event()
-    engine.stop = lambda patience=None: released.wait(120.0)
+    engine.stop = lambda timeout=None: released.wait(120.0)
     setup = connect(scripted_setup(engine))
     begun = time.monotonic()
     setup.engine.stop(0.0)

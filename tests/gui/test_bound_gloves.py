@@ -87,7 +87,7 @@ def bluetooth(monkeypatch) -> set[str]:
     def find(paths, bauds):
         path = paths[0]
         greeting = hello(numbers[path]) if path in there else None
-        return [PortReport(path, greeting, trouble=None if greeting else plain("Silence."))]
+        return [PortReport(path, greeting, problem=None if greeting else plain("Silence."))]
 
     monkeypatch.setattr(found_gloves, "find_gloves", find)
     monkeypatch.setattr(found_gloves, "serial_ports", list)

@@ -62,7 +62,7 @@ class Controls:
     def reports(self) -> tuple[CameraReport, ...]:
         return ()
 
-    def want(self, locks: Locks) -> None:
+    def request_locks(self, locks: Locks) -> None:
         self.wanted = locks
 
 
@@ -260,7 +260,7 @@ def test_two_streams_are_two_cameras_with_their_own_sizes(store, dialog, window,
     assert store.value.camera == "pair:rtsp://left/eye|rtsp://right/eye"
     pair = choose(store.value, 1280, 720, 30.0, [], 2, (640, 480))
     assert pair.source.name == "rtsp://left/eye and rtsp://right/eye" and pair.source.live
-    assert [want.width for want in pair.source._wants] == [1280, 640]
+    assert [request_locks.width for request_locks in pair.source._wants] == [1280, 640]
     again = CameraSetup(window.host, store, window.tasks, window, list)
     qtbot.addWidget(again)
     qtbot.waitUntil(lambda: again.other_right.text() == "rtsp://right/eye")

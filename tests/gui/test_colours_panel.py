@@ -250,7 +250,7 @@ def test_a_replay_stores_no_colours(window, engine):
 
 def test_a_stored_image_is_tuned_while_the_live_one_continues(colours, engine, qtbot):
     image = frame_and_blobs(engine.frame)[0]
-    colours.image.source.keep_button.click()
+    colours.image.source.store_button.click()
     qtbot.waitUntil(lambda: not colours.image.source.is_live)
     engine.frame = 60
     qtbot.wait(300)
@@ -290,7 +290,7 @@ def held(colours, qtbot, monkeypatch):
     """A stored image is shown, and its search is running and does not end on its own."""
     held = HeldDetector()
     monkeypatch.setattr(colour_search, "Detector", held.detector)
-    colours.image.source.keep_button.click()
+    colours.image.source.store_button.click()
     qtbot.waitUntil(lambda: len(held.begun) == 1)
     yield held
     held.go_on.set()
@@ -383,7 +383,7 @@ def test_stored_images_are_standard_png_files(colours, engine, qtbot, tmp_path):
 
 def test_a_removed_image_is_restored_by_undo(colours, engine, qtbot, tmp_path):
     source, window = colours.image.source, colours.window()
-    source.keep_button.click()
+    source.store_button.click()
     qtbot.waitUntil(lambda: not source.is_live)
     name, image = source.choice.currentText(), source.image()
     path = source.stored.folder.path(name)
@@ -405,7 +405,7 @@ def test_a_removed_image_is_restored_by_undo(colours, engine, qtbot, tmp_path):
 
 def test_an_image_that_cannot_be_removed_is_reported(colours, qtbot):
     source = colours.image.source
-    source.keep_button.click()
+    source.store_button.click()
     qtbot.waitUntil(lambda: not source.is_live)
     name = source.choice.currentText()
     source.stored.folder.path(name).unlink()

@@ -60,7 +60,7 @@ class Camera:
     def reports(self) -> tuple[CameraReport, ...]:
         return (CameraReport(2560, 720, 60.0, "MJPG", "V4L2", "/dev/video0", "ZED-77"),)
 
-    def want(self, locks: Locks) -> None:
+    def request_locks(self, locks: Locks) -> None:
         self.wanted = locks
 
 

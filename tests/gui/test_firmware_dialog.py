@@ -24,7 +24,7 @@ class Board:
     """A glove at a port, which accepts writing or fails with a message."""
 
     def __init__(self) -> None:
-        self.hello, self.trouble = OLD, ""
+        self.hello, self.problem = OLD, ""
         self.jobs: list[FlashJob] = []
         self.may_end = threading.Event()
         self.may_end.set()
@@ -35,8 +35,8 @@ class Board:
 
     def write(self, job: FlashJob) -> None:
         self.may_end.wait(60)
-        if self.trouble:
-            raise FlashError(self.trouble)
+        if self.problem:
+            raise FlashError(self.problem)
         self.jobs.append(job)
         image = job.image
         self.hello = replace(OLD, glove_id=image.glove_id, firmware=image.version)
@@ -123,11 +123,11 @@ def _newer(_port: str) -> Hello:
 def test_a_failure_is_reported_and_can_be_retried(
     dialog: FirmwareSetup, board: Board, qtbot
 ) -> None:
-    board.trouble = "The board does not answer as a bootloader."
+    board.problem = "The board does not answer as a bootloader."
     dialog.write.click()
     qtbot.waitUntil(dialog.write.isEnabled)
-    assert dialog.words.text() == board.trouble
-    board.trouble = ""
+    assert dialog.words.text() == board.problem
+    board.problem = ""
     dialog.write.click()
     qtbot.waitUntil(lambda: len(board.jobs) == 1)
 

@@ -25,7 +25,7 @@ def asked(monkeypatch):
     def find(paths, bauds):
         calls.append((paths[0], bauds))
         return [
-            SLOW if SLOW.baud in bauds else PortReport(paths[0], None, trouble=plain("Silence."))
+            SLOW if SLOW.baud in bauds else PortReport(paths[0], None, problem=plain("Silence."))
         ]
 
     monkeypatch.setattr(found_gloves, "find_gloves", find)

@@ -287,7 +287,7 @@ def test_a_replay_shows_the_whole_recording_and_a_click_goes_there(
     assert 0.0 < np.nanmedian(drawn(first, 1)[1]) < 8.0
     begin, end = first.plot.plot.viewRange()[0]
     assert begin == 0.0 and end == pytest.approx(player.duration)
-    first.plot.sought.emit(2.0)
+    first.plot.seek_requested.emit(2.0)
     qtbot.waitUntil(lambda: abs(first.plot.at.value() - 2.0) < 0.1)
     first.controls.span.setCurrentIndex(1)
     first.controls.span.activated.emit(1)

@@ -243,7 +243,7 @@ def test_escape_after_held_poses_shows_their_result(guided, clock, engine, qtbot
     pass_time(guided, clock, 3.7)
     qtbot.keyClick(guided, Qt.Key.Key_Escape)
     assert guided.pages.currentWidget() is guided.outcome
-    qtbot.waitUntil(lambda: guided.outcome.keep_button.isEnabled())
+    qtbot.waitUntil(lambda: guided.outcome.store_button.isEnabled())
     assert guided.outcome.heading.text() == "1 of 8 poses held"
 
 
@@ -264,7 +264,7 @@ def finished(guided, clock, engine, qtbot) -> None:
     qtbot.waitUntil(lambda: guided._before is not None)
     through(guided, clock, engine)
     teach(engine.inner, 20.0)
-    qtbot.waitUntil(lambda: guided.outcome.keep_button.isEnabled())
+    qtbot.waitUntil(lambda: guided.outcome.store_button.isEnabled())
 
 
 def test_learned_parameters_are_reported_as_text_and_figures(guided, clock, engine, qtbot):
@@ -299,7 +299,7 @@ def test_undo_reverts_what_the_poses_have_taught(guided, clock, engine, qtbot):
 def test_kept_results_remain_in_the_engine(guided, clock, engine, qtbot):
     finished(guided, clock, engine, qtbot)
     taught = engine.inner.wearer.synergies[0].copy()
-    qtbot.keyClick(guided.outcome.keep_button, Qt.Key.Key_Return)
+    qtbot.keyClick(guided.outcome.store_button, Qt.Key.Key_Return)
     np.testing.assert_array_equal(engine.inner.wearer.synergies[0], taught)
 
 
@@ -312,13 +312,13 @@ def test_kept_results_are_saved_in_the_selected_wearers_profile(
     file = window.calibration.profiles.current._store.path("Anna")
     before = file.read_text("utf-8")
     finished(guided, clock, engine, qtbot)
-    guided.outcome.keep_button.click()
+    guided.outcome.store_button.click()
     qtbot.waitUntil(lambda: file.read_text("utf-8") != before)
 
 
 def test_kept_results_of_a_new_wearer_are_offered_to_be_saved(guided, window, clock, engine, qtbot):
     finished(guided, clock, engine, qtbot)
-    guided.outcome.keep_button.click()
+    guided.outcome.store_button.click()
     assert "until this session ends" in window.banner.text()
 
 
@@ -358,7 +358,7 @@ def test_an_insignificant_change_is_not_reported(guided, clock, engine, qtbot):
     qtbot.waitUntil(lambda: guided._before is not None)
     through(guided, clock, engine)
     teach(engine.inner, 6.0, sure=0.9)  # of 8.2° standard deviation between people in a fist
-    qtbot.waitUntil(lambda: guided.outcome.keep_button.isEnabled())
+    qtbot.waitUntil(lambda: guided.outcome.store_button.isEnabled())
     summary = guided.outcome.words.text()
     assert summary == "Your fingers bend as expected."
     assert rows_of(guided)["End joint of the index finger, bent"][2] == "+6.0°"
@@ -462,7 +462,7 @@ def test_repeating_and_ending_at_once_still_shows_the_earlier_result(guided, clo
     while guided.run.is_running:
         guided.run.skip(clock.now)
     guided.tick()
-    qtbot.waitUntil(lambda: guided.outcome.keep_button.isEnabled())
+    qtbot.waitUntil(lambda: guided.outcome.store_button.isEnabled())
     assert guided.outcome.heading.text() == "0 of 8 poses held"
     assert "index finger bends 20° more" in guided.outcome.words.text()
 

@@ -69,7 +69,9 @@ def test_a_panels_key_shows_it_and_never_hides_it(active, qtbot):
 def test_the_banner_shifts_nothing_is_logged_once_and_disappears_with_its_reason(active, qtbot):
     settled(active, qtbot)
     before = {name: dock.geometry() for name, dock in active.docks.items()}
-    active.messages.say("A sentence that is so long that it needs two lines. " * 5, about="devices")
+    active.messages.show_message(
+        "A sentence that is so long that it needs two lines. " * 5, about="devices"
+    )
     settled(active, qtbot)
     assert active.banner.isVisible()
     assert {name: dock.geometry() for name, dock in active.docks.items()} == before

@@ -154,7 +154,7 @@ def test_a_message_never_covers_the_transport(live, qtbot):
     live.layouts.choose("look")
     live.show_panel("library")
     transport.setVisible(True)
-    live.messages.say("Something that stands there for a while.")
+    live.messages.show_message("Something that stands there for a while.")
     qtbot.waitUntil(lambda: transport.height() > 20 and live.banner.isVisible())
 
     def apart() -> bool:

@@ -372,7 +372,7 @@ def test_a_replay_offers_no_recording_and_no_countdown(window, engine, store):
 @pytest.mark.styled
 def test_messages_leave_the_record_button_visible(live, qtbot):
     live.show_panel("recording")
-    live.messages.say("The name holds a word that is none.")
+    live.messages.show_message("The name holds a word that is none.")
     button = live.recording.record_button
 
     def is_free() -> bool:

@@ -13,7 +13,7 @@ from app.engines.replay.hands import LATE, OfFile, ReplayMoment
 from app.engines.replay.marker_matches import MarkerMatcher
 from app.engines.replay.references import ReferenceTrack
 from app.engines.replay.sights import pairs
-from app.engines.snapshot import HandLooks, Snapshot
+from app.engines.snapshot import HandSnapshots, Snapshot
 from app.panels.library.transport import TransportBar
 from app.viewmodels.hand_scene import HandSceneModel
 from app.viewmodels.log import KINDS, EventLog, words_of
@@ -149,13 +149,13 @@ def test_a_hole_in_the_recording_is_shown_as_lost(holed_replay, position, is_los
     for before in (0.8, 2.7):
         arrives(qtbot, engine, before)
         qtbot.waitUntil(lambda: not seen.is_in_hole)
-        assert model.scene(HandLooks().look(holed_replay, True)) is not None
+        assert model.scene(HandSnapshots().take(holed_replay, True)) is not None
         arrives(qtbot, engine, position)
         qtbot.waitUntil(lambda: seen.is_in_hole == is_lost)
         estimate, status = seen.latest_estimate(), seen.status()
         assert (estimate.tracking == Tracking.LOST) == is_lost == (status.tracking == Tracking.LOST)
         assert (estimate.keypoint_state == Validity.LOST).all() == is_lost
-        scene = model.scene(HandLooks().look(holed_replay, True))
+        scene = model.scene(HandSnapshots().take(holed_replay, True))
         assert (scene.segment_state == Validity.LOST).all() == is_lost
         assert ("No estimates" in scene.caption) == is_lost
 

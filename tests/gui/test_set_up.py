@@ -180,10 +180,10 @@ def test_an_impossible_board_stops_at_the_first_page(wizard):
     dialog = wizard(StillBoard())
     dialog.board.kind.setCurrentIndex(dialog.board.kind.findData("chessboard"))
     dialog.board.columns.setValue(9)
-    assert shows(dialog.board.trouble.text(), "board.symmetric")
-    assert dialog.board.trouble.isVisible() and not dialog.next.isEnabled()
+    assert shows(dialog.board.problem.text(), "board.symmetric")
+    assert dialog.board.problem.isVisible() and not dialog.next.isEnabled()
     dialog.board.columns.setValue(10)
-    assert not dialog.board.trouble.isVisible() and dialog.next.isEnabled()
+    assert not dialog.board.problem.isVisible() and dialog.next.isEnabled()
 
 
 def test_the_board_is_saved_at_its_scale(wizard, tmp_path):
@@ -198,7 +198,7 @@ def test_the_board_is_saved_at_its_scale(wizard, tmp_path):
     per_metre = int.from_bytes(data[at : at + 4], "big")
     assert width / per_metre == pytest.approx(SPEC.width, rel=2e-3)
     assert not dialog.board.save_board(tmp_path / "absent" / "board.png")
-    assert "cannot be written" in dialog.board.trouble.text()
+    assert "cannot be written" in dialog.board.problem.text()
 
 
 def test_an_earlier_file_can_be_tested_or_used_and_a_bad_one_is_rejected(wizard, tmp_path):
@@ -207,7 +207,7 @@ def test_an_earlier_file_can_be_tested_or_used_and_a_bad_one_is_rejected(wizard,
     rig = small_rig()
     save_calibration(tmp_path / "bad.yml", rig.left, rig.right, rig.R, 10 * rig.T)
     assert not dialog.take_file(tmp_path / "bad.yml")
-    assert shows(dialog.board.trouble.text(), "stereo.baseline_impossible", found_mm=600.0)
+    assert shows(dialog.board.problem.text(), "stereo.baseline_impossible", found_mm=600.0)
     save_calibration(tmp_path / "good.yml", rig.left, rig.right, rig.R, rig.T)
     assert dialog.take_file(tmp_path / "good.yml")
     assert dialog.pages.currentIndex() == CHECK and dialog.next.isEnabled()
@@ -382,7 +382,7 @@ def test_a_zed_factory_file_is_accepted_unchanged(wizard, data_folder):
     dialog.finished_with.connect(lambda path, real: done.append((path, real)))
     folder = data_folder / "zed_calibration"
     assert not dialog.take_file(folder / "zed1_orbslam2ros6_spaced_partial.conf")
-    assert "incomplete" in dialog.board.trouble.text()
+    assert "incomplete" in dialog.board.problem.text()
     assert dialog.take_file(folder / "SN1010_zed1_factory.conf")
     assert "120.00 mm" in dialog.check.figures.text()
     dialog.next.click()

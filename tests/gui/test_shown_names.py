@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from app import words
 from app.viewmodels.motion import shown_name
-from app.viewmodels.names import WORDS, spoken
+from app.viewmodels.names import WORDS, display_name
 from resources import folder
 from tracker.hand.files import load_hand
 
@@ -13,12 +13,12 @@ GERMAN = {"index": "Zeigefinger", "flexion": "Beugung", "tip": "Spitze", "red": 
 
 
 def test_names_are_translated_and_unknown_ones_unchanged():
-    assert spoken("index_mcp_flexion") == "index mcp flexion"
+    assert display_name("index_mcp_flexion") == "index mcp flexion"
     words.use(GERMAN.get)
     try:
-        assert spoken("index_mcp_flexion") == "Zeigefinger mcp Beugung"
-        assert spoken("red") == "Rot"
-        assert spoken("tentacle_4") == "tentacle 4"
+        assert display_name("index_mcp_flexion") == "Zeigefinger mcp Beugung"
+        assert display_name("red") == "Rot"
+        assert display_name("tentacle_4") == "tentacle 4"
         assert shown_name("thumb_tip - index_tip") == "thumb Spitze - Zeigefinger Spitze"
     finally:
         words.use()

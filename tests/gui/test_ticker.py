@@ -5,7 +5,7 @@ from types import SimpleNamespace
 
 from app.platform.painting_pauses import PAINTING
 from app.window.ticker import LOW_LATENCY_SHARE, Ticker
-from tracker.live.right_of_way import RightOfWay
+from tracker.live.work_priority import WorkPriority
 
 WORK = 0.03  # s of processor time that a look at the engine takes here
 
@@ -39,11 +39,11 @@ def test_a_window_that_has_much_to_paint_leaves_the_processor_to_what_moves(wind
     assert share < LOW_LATENCY_SHARE + 0.15  # and the rest of the window
 
 
-def test_painting_gives_way_where_something_waits_for_the_hand_and_to_two_hands(window, qtbot):
-    way = RightOfWay()
+def test_painting_pauses_where_something_waits_for_the_hand_and_with_two_hands(window, qtbot):
+    way = WorkPriority()
     host = SimpleNamespace(
         setup=SimpleNamespace(
-            live=SimpleNamespace(engine=SimpleNamespace(right_of_way=way)), others=()
+            live=SimpleNamespace(engine=SimpleNamespace(work_priority=way)), others=()
         ),
         snapshot=lambda: None,
         opened=window.host.opened,
@@ -59,11 +59,11 @@ def test_painting_gives_way_where_something_waits_for_the_hand_and_to_two_hands(
     for waited_for in (True, False, True):
         ticker.is_waited_for = lambda on=waited_for: on
         ticker._tick()
-        assert (PAINTING.to is way) == waited_for
+        assert (PAINTING.priority is way) == waited_for
     ticker.is_waited_for = lambda: False
     host.setup.others = (object(),)
     ticker._tick()
-    assert PAINTING.to is way
+    assert PAINTING.priority is way
     host.setup = None
     ticker._tick()
-    assert PAINTING.to is None
+    assert PAINTING.priority is None

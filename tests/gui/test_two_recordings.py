@@ -188,6 +188,6 @@ def test_the_dialog_seeks_by_movement_and_keeps(beside):
     assert beside.offset.value() == before, "the parts are too short to be sure of"
     assert beside.figures.text().startswith("The ")
     beside.set_offset(0.25)
-    beside.keep_button.click()
+    beside.store_button.click()
     assert beside.figures.text() == "Saved to b.aligned.json."
     assert beside.takes.kept == 0.25

@@ -40,7 +40,7 @@ def click(qtbot, button) -> None:
 
 
 def test_a_denied_port_offers_the_rule_and_installs_it_when_asked(window, qtbot, pkexec):
-    window.sources.tell_of_devices(notice_text(not_opened(PermissionError(13, "denied"))))
+    window.sources.show_device_message(notice_text(not_opened(PermissionError(13, "denied"))))
     offered = [b for b in window.messages.findChildren(QPushButton) if "rule" in b.text()]
     click(qtbot, offered[0])
     dialog = window.findChild(UdevRuleDialog)

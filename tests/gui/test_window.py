@@ -217,7 +217,7 @@ def test_a_long_job_shows_progress_and_ends_when_cancelled(window, qtbot):
     window.bar._cancel.click()
     qtbot.waitUntil(lambda: not window.tasks.tasks)
     assert not window.bar._bar.isVisible()
-    assert not task.alive
+    assert not task.is_running
 
 
 @pytest.mark.styled

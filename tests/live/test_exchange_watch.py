@@ -26,7 +26,7 @@ def test_exchanged_gloves_are_reported_once(exchanged: bool) -> None:
     sim = TwoHandsSimulation(dressed, 2, 8.0, 15.0)
     make = {side: partial(Pipeline, *dressed[side], sim.rig) for side in SIDES}
     hands, reported = Hands(make), []
-    watch = ExchangeWatch(hands, patience=0.3)
+    watch = ExchangeWatch(hands, delay=0.3)
     taken_for = dict(zip(SIDES, reversed(SIDES) if exchanged else SIDES, strict=True))
     for side, message in sim.messages():
         if message.t > ENOUGH:

@@ -188,4 +188,4 @@ def test_a_missing_glove_does_not_delay_the_search_for_the_other_hand(sim) -> No
     right = live.loop.seen["right"]
     assert right.tracking == Tracking.TRACKING
     assert live.loop.seen["left"].tracking != Tracking.TRACKING
-    assert live.loop.seen["left"].is_gone and live.loop.predicted is right.predicted
+    assert live.loop.seen["left"].has_no_packets and live.loop.predicted is right.predicted

@@ -16,7 +16,7 @@ from tracker.engine.hands import Hands
 from tracker.engine.pipeline import Pipeline
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
-from tracker.live.runner import PATIENCE, LiveTracker
+from tracker.live.runner import TIMEOUT, LiveTracker
 from tracker.messages import (
     BlobFrame,
     EngineState,
@@ -220,7 +220,7 @@ def test_closing_a_recording_has_a_timeout(sim: Simulation, profile: ColourProfi
     run_to_the_end(tracker, stream)
     began = time.monotonic()
     tracker.set_recorder(None)
-    assert time.monotonic() - began < PATIENCE + 60.0  # not the 120 s that closing would take
+    assert time.monotonic() - began < TIMEOUT + 60.0  # not the 120 s that closing would take
     assert not slow.closed
     slow.let_go.set()
     tracker.stop()  # waits for the end
@@ -240,8 +240,8 @@ def test_devices_are_not_blocked_by_a_slow_disk(sim: Simulation, profile: Colour
     tracker, stream = live(sim, profile, slow, camera=Freed)
     run_to_the_end(tracker, stream)
     began = time.monotonic()
-    tracker.stop(PATIENCE)
-    assert time.monotonic() - began < PATIENCE + 60.0
+    tracker.stop(TIMEOUT)
+    assert time.monotonic() - began < TIMEOUT + 60.0
     assert freed and not slow.closed
     slow.let_go.set()
     tracker.stop()  # waits for the end

@@ -36,7 +36,7 @@ from tracker.simulation.scenario import Simulation
 from tracker.vision.colours import load_profile
 from tracker.vision.detector import Detector
 
-PATIENCE = 120.0  # s of real time for one step of a thread
+TIMEOUT = 120.0  # s of real time for one step of a thread
 DURATION, STARVED, CALM = 11.5, (2.0, 6.0), 6.0  # s: starved between the two
 STALL = (3.5, 4.7)  # s in which no thread runs at all
 
@@ -63,11 +63,11 @@ class Scheduler:
     def grant(self, name: str) -> None:
         """Let a thread do one step, and wait for its end."""
         with self._changed:
-            assert self._changed.wait_for(lambda: name in self._waiting, PATIENCE), name
+            assert self._changed.wait_for(lambda: name in self._waiting, TIMEOUT), name
             self._granted = name
             self._changed.notify_all()
             done = self._changed.wait_for(
-                lambda: not self._granted and name in self._waiting, PATIENCE
+                lambda: not self._granted and name in self._waiting, TIMEOUT
             )
             assert done, f"{name} does not come back"
 

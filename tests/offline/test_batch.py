@@ -136,7 +136,7 @@ def test_a_cluster_gives_identical_results(
 
 def test_an_unreachable_cluster_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("distributed")
-    monkeypatch.setattr("tracker.base.workers.DASK_PATIENCE", 0.5)
+    monkeypatch.setattr("tracker.base.workers.DASK_TIMEOUT", 0.5)
     with raises(DeviceError, "workers.no_scheduler"), dask_workers("127.0.0.1:9"):
         pass
 

@@ -4,7 +4,7 @@ import numpy as np
 
 from tracker.base.notices import Notice, warning
 from tracker.messages import BlobFrame, Blobs, Tracking
-from tracker.online.colour_watch import PATIENCE, ColourWatch
+from tracker.online.colour_watch import DELAY, ColourWatch
 
 MARKERS = 37
 
@@ -36,7 +36,7 @@ def test_many_patches_without_a_hand_are_reported_once() -> None:
 def test_a_tracked_hand_an_empty_scene_or_a_moment_are_not_reported() -> None:
     assert reported(400, Tracking.TRACKING) == []
     assert reported(MARKERS, Tracking.SEARCHING) == []
-    assert reported(400, Tracking.SEARCHING, PATIENCE - 0.2) == []
+    assert reported(400, Tracking.SEARCHING, DELAY - 0.2) == []
 
 
 def test_it_is_withdrawn_when_the_hand_is_found() -> None:

@@ -154,10 +154,10 @@ def test_one_camera_or_the_setting_leaves_images_alone() -> None:
 
 
 def test_recordings_made_before_are_tracked_as_they_were() -> None:
-    def complain(path: str, why: str) -> None:
+    def on_problem(path: str, why: str) -> None:
         raise AssertionError(path)
 
-    older = recorded_settings_from({"engine": "chain", "timing": {"sure": 0.002}}, complain)
+    older = recorded_settings_from({"engine": "chain", "timing": {"sure": 0.002}}, on_problem)
     assert not older.alignment.apply and not older.timing.jitter and older.timing.sure == 0.002
     assert not older.chain.cloth.fingers
     known = {
@@ -165,4 +165,4 @@ def test_recordings_made_before_are_tracked_as_they_were() -> None:
         "timing": {"jitter": True},
         "chain": {"cloth": {"fingers": True}},
     }
-    assert recorded_settings_from(known, complain) == Settings()
+    assert recorded_settings_from(known, on_problem) == Settings()

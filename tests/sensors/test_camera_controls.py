@@ -93,7 +93,7 @@ def test_a_lock_disables_automatic_mode_and_can_be_released():
     assert driver.values[cv2.CAP_PROP_AUTO_EXPOSURE] == 1.0
     assert by_name(source)["exposure"].locked and by_name(source)["exposure"].value == 157
     assert driver.values[cv2.CAP_PROP_AUTO_WB] == 1.0
-    source.want(Locks(white_balance=5000.0))
+    source.request_locks(Locks(white_balance=5000.0))
     assert driver.values[cv2.CAP_PROP_AUTO_WB] == 1.0  # not before the next image
     source.read()
     assert driver.values[cv2.CAP_PROP_AUTO_EXPOSURE] == 3.0
@@ -127,7 +127,7 @@ def test_drivers_are_accessed_only_by_the_reading_thread():
     source = ControlledInput(inner)
     source.open()
     reader = threading.Thread(target=source.read)
-    source.want(Locks(exposure=10.0))
+    source.request_locks(Locks(exposure=10.0))
     reader.start()
     reader.join()
     assert threading.get_ident() not in inner.threads and len(inner.threads) == 1

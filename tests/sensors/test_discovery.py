@@ -42,22 +42,22 @@ class FakePort:
         self.closed = True
 
 
-def ask(port: FakePort, patience: float = 2.0) -> object:
-    return probe("/dev/x", lambda: port, patience, lambda: port.t)
+def ask(port: FakePort, timeout: float = 2.0) -> object:
+    return probe("/dev/x", lambda: port, timeout, lambda: port.t)
 
 
 def test_other_devices_receive_only_the_request() -> None:
     port = FakePort(b"$GPGGA,123519,4807.038,N\r\n")
     report = ask(port)
     assert not report.is_glove
-    assert report.trouble is not None and report.trouble.code == "port.not_glove"
+    assert report.problem is not None and report.problem.code == "port.not_glove"
     assert port.received.replace(b"\0" + encode(HelloRequest()), b"") == b""
     assert port.received.count(encode(HelloRequest())) == 4
     assert port.closed
 
 
 def test_no_answer_is_reported() -> None:
-    assert ask(FakePort(b"")).trouble == warning("port.no_answer", port="/dev/x")
+    assert ask(FakePort(b"")).problem == warning("port.no_answer", port="/dev/x")
 
 
 def test_hello_between_garbage() -> None:
@@ -97,8 +97,8 @@ def test_both_speeds_are_tried_on_a_port_opened_once() -> None:
     assert report.hello is not None and report.hello.glove_id == 5
     assert report.baud == 115_200 and len(opened) == 1
     only_fast = probe("/dev/x", open_port, 2.0, lambda: port.t, bauds=(250_000,))
-    assert not only_fast.is_glove and only_fast.trouble is not None
-    assert only_fast.trouble.values["bauds"] == (250_000,)
+    assert not only_fast.is_glove and only_fast.problem is not None
+    assert only_fast.problem.values["bauds"] == (250_000,)
 
 
 @pytest.mark.parametrize(
@@ -111,8 +111,8 @@ def test_a_port_that_cannot_be_opened(number: int, words: str) -> None:
 
     report = probe("/dev/x", refuse)
     assert not report.is_glove
-    assert report.trouble is not None and report.trouble.code == "port.not_opened"
-    assert words in str(report.trouble.values["why"])
+    assert report.problem is not None and report.problem.code == "port.not_opened"
+    assert words in str(report.problem.values["why"])
 
 
 def still() -> Iterator[ImuSample]:
@@ -124,8 +124,8 @@ def still() -> Iterator[ImuSample]:
 def test_a_simulated_glove_among_absent_ports(tmp_path: Path) -> None:
     device = SimulatedGlove(still(), 2)
     try:
-        absent, there = find_gloves([str(tmp_path / "none"), str(device.path)], patience=3.0)
-        assert absent.trouble is not None and absent.trouble.code == "port.not_opened"
+        absent, there = find_gloves([str(tmp_path / "none"), str(device.path)], timeout=3.0)
+        assert absent.problem is not None and absent.problem.code == "port.not_opened"
         assert there.hello is not None
         assert there.hello.imu_count == 2
         second = probe(str(device.path), serial_port(str(device.path)), 3.0)

@@ -66,7 +66,7 @@ def test_a_new_rate_is_accepted_while_streaming_and_detected_by_times() -> None:
     before, events = run.link.report(), list(run.notices)
     assert (before.rate_asked_hz, before.glove_id, before.state) == (100, 7, "streaming")
     assert before.rate_hz == pytest.approx(100.0, rel=0.01)
-    run.link.want_rate(50)
+    run.link.request_rate(50)
     assert run.link.report().rate_asked_hz == 50
     run.go(3.0)
     assert run.glove.received[-1] == Rate(50) and run.glove.received.count(Rate(50)) == 1
@@ -75,13 +75,13 @@ def test_a_new_rate_is_accepted_while_streaming_and_detected_by_times() -> None:
     steps = np.diff([s.t for s in run.samples[-50:]])
     np.testing.assert_allclose(steps, 0.02, atol=0.002)
     with pytest.raises(ValueError, match="rate"):
-        run.link.want_rate(120)
+        run.link.request_rate(120)
 
 
 def test_an_ignored_new_rate_is_in_the_report() -> None:
     run = Run(Scripted(Hello(7, N), 100.0))
     run.go(2.0)
-    run.link.want_rate(200)
+    run.link.request_rate(200)
     run.go(4.0)
     report = run.link.report()
     assert report.rate_asked_hz == 200 and report.rate_hz == pytest.approx(100.0, rel=0.01)
@@ -214,7 +214,7 @@ def test_the_emulated_glove_without_hello_has_correct_scale_and_times(tmp_path: 
     device = SimulatedGlove(
         resting(), N, t_0, GloveDeviceParams(says_hello=False, accel_range_g=8, skew=0.0)
     )
-    link = GloveLink(serial_port(device.path), N, LinkParams(boot=0.05, patience=0.05))
+    link = GloveLink(serial_port(device.path), N, LinkParams(boot=0.05, timeout=0.05))
     try:
         got: list[ImuSample] = []
         while not (got and got[-1].valid.all()) and time.monotonic() < t_0 + 10:

@@ -38,7 +38,7 @@ def gloves() -> Iterator[tuple[SimulatedGlove, SimulatedGlove]]:
 
 
 def test_both_are_found_and_distinguished(gloves) -> None:
-    reports = find_gloves([str(g.path) for g in gloves], patience=3.0)
+    reports = find_gloves([str(g.path) for g in gloves], timeout=3.0)
     assert [r.hello.glove_id for r in reports if r.hello] == [11, 22]
 
 

@@ -174,11 +174,11 @@ def test_the_window_sees_a_confirmed_lock(path: str, monkeypatch: pytest.MonkeyP
     source.read()
     free = by_name(source)
     assert free["exposure"].is_open and free["gain"].available
-    source.want(Locks(exposure=400.0))
+    source.request_locks(Locks(exposure=400.0))
     source.read()
     locked = by_name(source)["exposure"]
     assert locked.locked and locked.verified and locked.value == 400 and locked.limits is not None
     zed.deaf = "left"
-    source.want(Locks(exposure=500.0))
+    source.request_locks(Locks(exposure=500.0))
     source.read()
     assert by_name(source)["exposure"].is_unverified

@@ -125,7 +125,7 @@ def test_a_glove_is_unplugged_and_plugged_by_commands(both: SimulatedRig) -> Non
 def test_electrical_faults_are_started_by_commands(both: SimulatedRig) -> None:
     assert both.execute("fault left port busy") == "The left glove has the fault: port busy."
     (left,) = find_gloves([str(both.files.gloves["left"])])
-    assert left.trouble is not None and left.trouble.code == "port.not_opened"
+    assert left.problem is not None and left.problem.code == "port.not_opened"
     assert both.execute("fault left\n") == "The left glove has the fault: none."
     (left,) = find_gloves([str(both.files.gloves["left"])])
     assert left.hello is not None

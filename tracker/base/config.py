@@ -19,7 +19,7 @@ from tracker.base.notices import Notice, notice
 from tracker.base.toml_reader import parse_toml
 
 T = TypeVar("T")
-Complain = Callable[[str, Notice], None]
+OnProblem = Callable[[str, Notice], None]
 """Receives the path of a key and what is wrong with it; raises, or returns to use the default."""
 
 UNKNOWN = notice("toml.setting")
@@ -45,20 +45,20 @@ def from_toml(kind: type[T], text: str, name: str = "settings.toml") -> T:
     Raises ConfigError naming the first key that is unknown, of a wrong type or not finite.
     """
 
-    def complain(path: str, why: Notice) -> None:
+    def on_problem(path: str, why: Notice) -> None:
         raise ConfigError(notice("config.key", file=name, key=path, why=why))
 
     try:
         data = parse_toml(text, name)
     except FileError as error:
         raise ConfigError(error.notice) from error
-    return from_dict(kind, data, complain)
+    return from_dict(kind, data, on_problem)
 
 
-def from_dict(kind: type[T], data: dict[str, Any], complain: Complain, where: str = "") -> T:
+def from_dict(kind: type[T], data: dict[str, Any], on_problem: OnProblem, where: str = "") -> T:
     """A ``kind`` from a table, as JSON or TOML give it; keys that are absent keep their defaults.
 
-    ``complain`` gets the path of each key that is `UNKNOWN` or has a wrong value.
+    ``on_problem`` gets the path of each key that is `UNKNOWN` or has a wrong value.
     """
     default = kind()
     known = {f.name: getattr(default, f.name) for f in dataclasses.fields(kind)}  # type: ignore[arg-type]
@@ -67,14 +67,14 @@ def from_dict(kind: type[T], data: dict[str, Any], complain: Complain, where: st
         path = f"{where}.{key}" if where else key
         usual = known.get(key)
         if key not in known:
-            complain(path, UNKNOWN)
+            on_problem(path, UNKNOWN)
         elif dataclasses.is_dataclass(usual) and isinstance(value, dict):
-            values[key] = from_dict(type(usual), value, complain, path)
+            values[key] = from_dict(type(usual), value, on_problem, path)
         else:
             try:
                 values[key] = _taken(usual, value)
             except _Wrong as wrong:
-                complain(path, wrong.why)
+                on_problem(path, wrong.why)
     return dataclasses.replace(default, **values)  # type: ignore[type-var]
 
 

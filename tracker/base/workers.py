@@ -19,9 +19,9 @@ from tracker.base.errors import ConfigError, DeviceError, GlovetrackError
 from tracker.base.notices import Notice, failure, notice
 from tracker.base.numeric_threads import limit_this_process
 
-TELL_EVERY = 0.25  # s between two reports of one task
+REPORT_EVERY = 0.25  # s between two reports of one task
 LOOK_EVERY = 0.2  # s
-DASK_PATIENCE = 10  # s
+DASK_TIMEOUT = 10  # s
 READ_WITHIN = 10.0  # s, for a note that is there
 
 
@@ -118,7 +118,7 @@ def dask_workers(address: str) -> Iterator[Workers]:
     except ImportError as error:
         raise ConfigError(notice("workers.no_dask")) from error
     try:
-        client = distributed.Client(address, timeout=DASK_PATIENCE, set_as_default=False)
+        client = distributed.Client(address, timeout=DASK_TIMEOUT, set_as_default=False)
     except (OSError, ValueError) as error:  # TimeoutError is an OSError
         raise DeviceError(notice("workers.no_scheduler", address=address)) from error
     with client, client.get_executor(pure=False) as executor:
@@ -190,11 +190,11 @@ def _outcome(future: Future[Any]) -> TaskOutcome:
 def _work(task: WorkItem, number: int, board: Board, stop: StopFlag) -> TaskOutcome:
     """Runs in the worker."""
     limit_this_process()
-    reported = [-TELL_EVERY]
+    reported = [-REPORT_EVERY]
 
     def report(share: float) -> None:
         now = time.monotonic()
-        if now - reported[0] >= TELL_EVERY:
+        if now - reported[0] >= REPORT_EVERY:
             reported[0] = now
             board.put((number, share))
             if stop.is_set():

@@ -41,9 +41,9 @@ def learn_image(
     Raises GlovetrackError unless a glove is clearly visible.
     """
     best, crowd = Blobs.empty(), np.zeros(0, np.int64)
-    calm = denoised(image)
+    smooth = denoised(image)
     for wide in wide_profiles(profile):
-        blobs, _ = Detector(wide, marker_size, fx).detect(calm)
+        blobs, _ = Detector(wide, marker_size, fx).detect(smooth)
         rows = glove_of(blobs)
         if len(rows) > len(crowd):
             best, crowd = blobs, rows

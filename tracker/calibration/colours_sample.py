@@ -46,9 +46,9 @@ class KnownMarkers:
 def samples_of(image: Image, known: KnownMarkers, names: tuple[str, ...]) -> ColourSamples:
     """BGR pixels of an image by class; a noisy image is smoothed first."""
     out = ColourSamples.of(names)
-    calm = denoised(image)
-    out.noisy.append(calm is not image)
-    image = calm
+    smooth = denoised(image)
+    out.noisy.append(smooth is not image)
+    image = smooth
     shape = image.shape[:2]
     taken = np.zeros(shape, np.uint8)
     for uv, extent in zip(known.uv, known.extent, strict=True):

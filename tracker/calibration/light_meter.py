@@ -103,8 +103,8 @@ class LightMeter:
         p = self.params
         blobs, noise = self._narrow.detect(image)[0], noise_of(image)
         # the noise of dark cloth contains every sufficiently wide colour
-        calm = smoothed(image) if noise > p.noise else image
-        both = [_patches(calm, wide.detect(calm)[0], p) for wide in self._any]
+        smooth = smoothed(image) if noise > p.noise else image
+        both = [_patches(smooth, wide.detect(smooth)[0], p) for wide in self._any]
         seen = _of_one_hand(_named(_whole(*both), self.profile), p)
         others = _beside(blobs, seen)
         names = enumerate(self.profile.hue_names)

@@ -16,8 +16,8 @@ FEWEST = 20
 
 
 class Vibration(NamedTuple):
-    """Of one motor in each IMU: gyro (n,) rad/s and accel (n,) m/s², standard deviations of the
-    axis that is shaken most; ``period`` s between two packets."""
+    """Of one motor in each IMU: gyro (n,) rad/s and accel (n,) m/s², standard deviations of
+    the axis that vibrates most; ``period`` s between two packets."""
 
     gyro: Array
     accel: Array
@@ -38,8 +38,8 @@ def vibration_of(before: Sequence[ImuSample], during: Sequence[ImuSample]) -> Vi
     size = max(3, round(SMOOTH_S / max(period, 1e-4)))
     added = []
     for name in ("gyro", "accel"):
-        quiet, shaken = (_variance(part, name, size) for part in (before, during))
-        added.append(np.sqrt(np.nan_to_num(np.maximum(shaken - quiet, 0.0))).max(axis=1))
+        still, shaken = (_variance(part, name, size) for part in (before, during))
+        added.append(np.sqrt(np.nan_to_num(np.maximum(shaken - still, 0.0))).max(axis=1))
     return Vibration(added[0], added[1], period)
 
 

@@ -32,7 +32,7 @@ class StillParams:
 class StillImu:
     """One IMU: gyro_bias (3,) rad/s with its sd, gyro_noise rad/s/√Hz, accel (3,) mean m/s² in I.
 
-    ``trouble`` is None if the figures may be used.
+    ``problem`` is None if the figures may be used.
     """
 
     name: str
@@ -40,19 +40,19 @@ class StillImu:
     gyro_bias_sd: float
     gyro_noise: float
     accel: Array
-    trouble: Notice | None = None
+    problem: Notice | None = None
 
 
 @dataclass(frozen=True, eq=False)
 class StillPose:
-    """All IMUs in the glove's order; ``trouble`` is the reason why all are rejected."""
+    """All IMUs in the glove's order; ``problem`` is the reason why all are rejected."""
 
     imus: tuple[StillImu, ...]
-    trouble: Notice | None = None
+    problem: Notice | None = None
 
     @property
     def ok(self) -> bool:
-        return self.trouble is None
+        return self.problem is None
 
 
 def still_pose(
@@ -89,11 +89,11 @@ def _one(
         gyro_bias_sd=float(np.hypot(sd.max() / np.sqrt(len(gyro)), drift / 2)),
         gyro_noise=float(np.sqrt(np.mean(sd**2) / (rate_hz / 2))),
         accel=accel.mean(axis=0),
-        trouble=_trouble(gyro, accel, drift, p),
+        problem=_problem_of(gyro, accel, drift, p),
     )
 
 
-def _trouble(gyro: Array, accel: Array, drift: float, p: StillParams) -> Notice | None:
+def _problem_of(gyro: Array, accel: Array, drift: float, p: StillParams) -> Notice | None:
     sd, bias = float(gyro.std(axis=0).max()), float(np.abs(gyro.mean(axis=0)).max())
     if sd > p.gyro_sd or drift > p.drift or float(accel.std(axis=0).max()) > p.accel_sd:
         return warning("still.imu_moves", rate_dps=max(sd, drift) / DEGREE)
@@ -106,12 +106,12 @@ def _trouble(gyro: Array, accel: Array, drift: float, p: StillParams) -> Notice 
 
 
 def _verdict(imus: Sequence[StillImu]) -> Notice | None:
-    broken = [i for i in imus if i.trouble is not None]
-    moving = [i.name for i in broken if i.trouble is not None and i.trouble.code in MOVING]
+    broken = [i for i in imus if i.problem is not None]
+    moving = [i.name for i in broken if i.problem is not None and i.problem.code in MOVING]
     if moving:
         return warning("still.moved", moving=moving)
     if not broken:
         return None
     return warning(
-        "still.imus", imus=[warning("still.imu", imu=i.name, what=i.trouble) for i in broken]
+        "still.imus", imus=[warning("still.imu", imu=i.name, what=i.problem) for i in broken]
     )

@@ -172,8 +172,8 @@ class WiggleTest:
             return WiggleRow(imu.name, "unclear", "", warning("wiggle.unclear"))
         own = _part(imu.segment)
         if part != own or (segment and segment != imu.segment):
-            where = _spoken(segment) if segment else _spoken(part)
-            what = warning("wiggle.elsewhere", found=where, expected=_spoken(imu.segment))
+            where = _display_name(segment) if segment else _display_name(part)
+            what = warning("wiggle.elsewhere", found=where, expected=_display_name(imu.segment))
             return WiggleRow(imu.name, "elsewhere", segment or part, what)
         angle = self._turned(i, part)
         if angle > self.params.tilted:
@@ -211,7 +211,7 @@ def _depth(hand: HandModel, segment: str) -> int:
     return depth
 
 
-def _spoken(name: str) -> str:
+def _display_name(name: str) -> str:
     return "back of the hand" if name in (HAND, "dorsum") else name.replace("_", " ")
 
 
@@ -223,7 +223,9 @@ def _summary(rows: Sequence[WiggleRow], glove: GloveModel) -> Notice:
     found = {r.name: place.get(r.segment, "") for r in rows if r.state == "elsewhere"}
     for name, other in found.items():
         if other != name and found.get(other) == name:
-            return warning("wiggle.exchanged", first=_spoken(name), second=_spoken(other))
+            return warning(
+                "wiggle.exchanged", first=_display_name(name), second=_display_name(other)
+            )
     wrong = [r for r in rows if r.state != "right"]
-    imus = [warning("wiggle.imu", imu=_spoken(r.name), state=r.state) for r in wrong]
+    imus = [warning("wiggle.imu", imu=_display_name(r.name), state=r.state) for r in wrong]
     return warning("wiggle.look_at", imus=imus)

@@ -62,8 +62,8 @@ def _camera(machine: Machine, camera: CameraName) -> Iterator[Finding]:
         if captures and measured.images:
             yield _exposure(camera, captures[0])
             yield _time_stamps(camera, measured)
-    except DeviceError as trouble:
-        what = trouble.notice.with_severity(Severity.ERROR)
+    except DeviceError as problem:
+        what = problem.notice.with_severity(Severity.ERROR)
         yield Finding(what, notice("doctor.camera_busy"))
     finally:
         source.close()
@@ -93,7 +93,7 @@ class _Measured:
 
 def _measure(machine: Machine, source: HasCaptures) -> _Measured:
     arrivals, stamps, black, watch = [], [], 0, ImageWatch()
-    end, number = machine.clock() + machine.patience + machine.duration, 0
+    end, number = machine.clock() + machine.timeout + machine.duration, 0
     while machine.clock() < end:
         pair = source.read()
         if pair is None:

@@ -94,8 +94,8 @@ def disk(machine: Machine) -> Iterator[Finding]:
     folder = machine.folder
     try:
         speed = machine.writing_speed(folder, WRITTEN_MB)
-    except OSError as trouble:
-        refused = disk_error(folder, trouble).notice.with_severity(Severity.ERROR)
+    except OSError as problem:
+        refused = disk_error(folder, problem).notice.with_severity(Severity.ERROR)
         yield Finding(refused, notice("doctor.other_folder"))
         return
     needed = {"disk_mb_s": speed, "needed_mb_s": RECORDING_MB_S}

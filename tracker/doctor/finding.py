@@ -118,9 +118,9 @@ def examine(machine: Machine, checks: Iterable[Check] | None = None) -> Iterator
         try:
             for finding in check.run(machine):
                 yield Result(check, finding)
-        except GlovetrackError as trouble:
-            yield Result(check, Finding(trouble.notice.with_severity(Severity.WARNING)))
-        except Exception as trouble:  # noqa: BLE001 - another package's check must not end ours
+        except GlovetrackError as problem:
+            yield Result(check, Finding(problem.notice.with_severity(Severity.WARNING)))
+        except Exception as problem:  # noqa: BLE001 - another package's check must not end ours
             _log.exception("The check %s failed", check.name)
-            failed = warning("doctor.check_failed", why=str(trouble))
+            failed = warning("doctor.check_failed", why=str(problem))
             yield Result(check, Finding(failed, notice("doctor.attach_report")))

@@ -45,7 +45,7 @@ def gloves(machine: Machine) -> Iterator[Finding]:
             yield Finding(notice("doctor.in_use", device=port.path))
             continue
         report = probe(
-            port.path, machine.open_port(port.path, BAUDS[0]), machine.patience, machine.clock
+            port.path, machine.open_port(port.path, BAUDS[0]), machine.timeout, machine.clock
         )
         found += report.is_glove
         yield from _port(machine, report)
@@ -64,26 +64,26 @@ def _latency(machine: Machine, path: str) -> Notice | None:
 
 
 def _port(machine: Machine, report: PortReport) -> Iterator[Finding]:
-    trouble = report.trouble
+    problem = report.problem
     if report.is_glove:
         yield from _glove(machine, report)
-    elif trouble is None:
+    elif problem is None:
         return
-    elif trouble.code == "port.not_opened":
-        finding = Finding(trouble.with_severity(Severity.ERROR))
+    elif problem.code == "port.not_opened":
+        finding = Finding(problem.with_severity(Severity.ERROR))
         has_remedy = bool(finding.texts()[1])
         yield finding if has_remedy else Finding(finding.what, notice("doctor.close_port"))
-    elif trouble.code == "port.not_glove":
+    elif problem.code == "port.not_glove":
         yield _undecoded(machine, report.path)
     else:
-        what = trouble.with_severity(Severity.WARNING)
+        what = problem.with_severity(Severity.WARNING)
         yield Finding(what, notice("doctor.write_if_glove"))
 
 
 def _undecoded(machine: Machine, path: str) -> Finding:
     """Bytes that are not the protocol's: a glove at another speed, or another device."""
     open_port = machine.open_port(path, OTHER_BAUDS[0])
-    again = probe(path, open_port, machine.patience, machine.clock, OTHER_BAUDS)
+    again = probe(path, open_port, machine.timeout, machine.clock, OTHER_BAUDS)
     if again.is_glove:
         return Finding(
             failure("doctor.other_baud", port=path, baud=again.baud),
@@ -133,7 +133,7 @@ def _glove(machine: Machine, report: PortReport) -> Iterator[Finding]:
 def _receive(machine: Machine, link: GloveLink) -> _Received:
     received, clock = _Received(), machine.clock
     duration = LONGER * machine.duration
-    end = clock() + machine.patience + duration
+    end = clock() + machine.timeout + duration
     while clock() < end and received.span < duration:
         for item in link.poll(POLL):
             if isinstance(item, ImuSample):

@@ -58,7 +58,7 @@ class Machine:
     may_run_first: Callable[[], bool] = may_run_first
     writing_speed: Callable[[Path, int], float] = writing_speed
     clock: Callable[[], float] = time.monotonic
-    patience: float = 4.0
+    timeout: float = 4.0
     """For a device that is starting."""
     duration: float = 2.0
     """For the measurement of each device."""

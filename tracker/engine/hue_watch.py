@@ -17,7 +17,7 @@ from tracker.engine.pipeline import Pipeline
 from tracker.messages import BlobFrame, FrameResult, ImuSample, Tracking
 from tracker.vision.hue_orders import orders
 
-PATIENCE = 1.5  # s without a hand, before other names are tried
+DELAY = 1.5  # s without a hand, before other names are tried
 ROUND = 1.2  # s for which a new hand is searched for, of two twice; more than all 23 orders
 ROUNDS = 2
 EVERY = 0.03  # s between two searches, of 10 to 30 ms each: packets wait for them
@@ -34,8 +34,8 @@ class HueWatch:
     """Fed with what the ``pipelines`` of all hands, by side, are fed with; costs nothing while one
     of them finds its hand. ``is_off``: nothing is tried."""
 
-    def __init__(self, pipelines: Mapping[str, Pipeline], patience: float = PATIENCE) -> None:
-        self._pipelines, self._patience = pipelines, patience
+    def __init__(self, pipelines: Mapping[str, Pipeline], delay: float = DELAY) -> None:
+        self._pipelines, self._delay = pipelines, delay
         self._sides = tuple(pipelines)
         self._tracked = dict.fromkeys(self._sides, False)
         self._trials: dict[str, Pipeline] = {}  # empty while nothing is tried
@@ -75,7 +75,7 @@ class HueWatch:
             self._try(side, sample, step)
         elif self._sees_many and not is_found and not self.is_off:
             self._waited += step
-            if self._waited >= self._patience:
+            if self._waited >= self._delay:
                 self._begin()
 
     def frame(self, blobs: BlobFrame) -> None:

@@ -1,4 +1,4 @@
-"""Engines by name: this program's own (`tracker.engine.own`) and those of other packages.
+"""Engines by name: this program's own (`tracker.engine.builtin`) and those of other packages.
 
 A package declares an engine as an entry point of the group ``glovetrack.engines`` that names an
 `EngineKind`. Its settings travel in recordings as the table ``engines.NAME``, its state as a
@@ -109,11 +109,11 @@ def params_of(kind: EngineKind, settings: Settings) -> Any:
     if kind.params is Settings:
         return settings
 
-    def complain(path: str, why: Notice) -> None:
+    def on_problem(path: str, why: Notice) -> None:
         raise ConfigError(notice("config.invalid_setting", key=path, why=why))
 
     table = settings.engines.get(kind.name, {})
-    return from_dict(kind.params, table, complain, f"engines.{kind.name}")
+    return from_dict(kind.params, table, on_problem, f"engines.{kind.name}")
 
 
 def settings_text(settings: Settings) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from tracker.base.config import Complain, from_dict
+from tracker.base.config import OnProblem, from_dict
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.hybrid_params import HybridParams
 from tracker.fusion.vist.params import VistParams
@@ -40,18 +40,18 @@ BEFORE: dict[str, dict[str, Any]] = {
 """What the settings of recordings mean where they lack a key: what came later was not in use."""
 
 
-def settings_from(data: Mapping[str, Any], complain: Complain) -> Settings:
+def settings_from(data: Mapping[str, Any], on_problem: OnProblem) -> Settings:
     """Settings from a table, see `from_dict`.
 
     The table ``streams`` of older recordings and files has no effect on tracking and is ignored.
     """
-    return from_dict(Settings, {k: v for k, v in data.items() if k != "streams"}, complain)
+    return from_dict(Settings, {k: v for k, v in data.items() if k != "streams"}, on_problem)
 
 
-def recorded_settings_from(data: Mapping[str, Any], complain: Complain) -> Settings:
+def recorded_settings_from(data: Mapping[str, Any], on_problem: OnProblem) -> Settings:
     """`settings_from` for those of a recording, which is tracked as it was when it was made."""
     older = {
         table: {**keys, **data.get(table, {})} if isinstance(data.get(table, {}), Mapping) else keys
         for table, keys in BEFORE.items()
     }
-    return settings_from({**data, **older}, complain)
+    return settings_from({**data, **older}, on_problem)

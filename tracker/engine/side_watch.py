@@ -20,7 +20,7 @@ from tracker.glove.model import GloveModel
 from tracker.hand.names import SIDES
 from tracker.messages import BlobFrame, ImuSample, Tracking
 
-PATIENCE = 2.0  # s of search with as many, before the mirrored glove is tried
+DELAY = 2.0  # s of search with as many, before the mirrored glove is tried
 TRIAL = 8.0  # s that it is tried for; again only after a hand was found meanwhile
 FOUND = 0.5  # s for which a hand has to be tracked to be the right one: wrong ones are lost sooner
 SURE = 1.0  # s for which the mirrored hand has to be tracked, and ours not found
@@ -29,9 +29,9 @@ SURE = 1.0  # s for which the mirrored hand has to be tracked, and ours not foun
 class SideWatch:
     """Fed with what a hand's ``pipeline`` is fed with; costs nothing while that finds the hand."""
 
-    def __init__(self, pipeline: Pipeline, patience: float = PATIENCE) -> None:
-        """``patience``: s of search before the mirrored glove is tried."""
-        self._pipeline, self._patience = pipeline, patience
+    def __init__(self, pipeline: Pipeline, delay: float = DELAY) -> None:
+        """``delay``: s of search before the mirrored glove is tried."""
+        self._pipeline, self._delay = pipeline, delay
         self._trial: Pipeline | None = None
         self._waited = self._tried = self._sure = 0.0
         self._last: float | None = None
@@ -53,7 +53,7 @@ class SideWatch:
             self._try(self._trial, sample, step)
         elif self._sees_many and not self._over:
             self._waited += step
-            if self._waited >= self._patience:
+            if self._waited >= self._delay:
                 self._trial = _mirrored(self._pipeline)
 
     def take_names(self) -> tuple[str, ...]:
@@ -102,9 +102,9 @@ class ExchangeWatch:
     It is fed with the input of ``hands`` and does nothing while they track a hand.
     """
 
-    def __init__(self, hands: Hands, patience: float = PATIENCE) -> None:
-        """``patience``: s of search before the gloves are tried exchanged."""
-        self._hands, self._patience = hands, patience
+    def __init__(self, hands: Hands, delay: float = DELAY) -> None:
+        """``delay``: s of search before the gloves are tried exchanged."""
+        self._hands, self._delay = hands, delay
         self._trial: Hands | None = None
         self._tracking = dict.fromkeys(SIDES, Tracking.SEARCHING)
         self._tried_as = dict.fromkeys(SIDES, Tracking.SEARCHING)
@@ -130,7 +130,7 @@ class ExchangeWatch:
             self._try(self._trial, OTHER[side], sample)
         elif self._sees_many and not self._over:
             self._since = min(self._since, sample.t)
-            if sample.t - self._since >= self._patience:
+            if sample.t - self._since >= self._delay:
                 self._trial = self._hands.with_engine(self._hands.engine)
                 self._since = sample.t
                 self._sure_since = math.inf

@@ -19,7 +19,7 @@ from tracker.firmware.image import FirmwareImage
 BOOTLOADERS = {"Optiboot": 115_200, "old Nano": 57_600}
 """Speeds (baud) at which bootloaders of Arduino boards are spoken to."""
 
-PATIENCE = 90.0  # s for all of it; 7 kB take about 4 s at 57600 baud, and as long to read back
+TIMEOUT = 90.0  # s for all of it; 7 kB take about 4 s at 57600 baud, and as long to read back
 
 NO_BOOTLOADER = "firmware.no_bootloader"
 MEANINGS = (
@@ -77,7 +77,7 @@ def flash(job: FlashJob) -> None:
                 text=True,
                 errors="replace",
                 env=os.environ | {"LC_ALL": "C"},
-                timeout=PATIENCE,
+                timeout=TIMEOUT,
                 check=False,
             )
         except subprocess.TimeoutExpired as error:

@@ -35,7 +35,7 @@ from tracker.inertial.finger3d import (
 )
 from tracker.inertial.geometry3d import DorsumMotion
 from tracker.messages import (
-    SEEN_LATELY,
+    RECENT,
     Array,
     BlobFrame,
     Calibration,
@@ -211,7 +211,7 @@ class HybridEngine(Engine):
 
     def _sensed(self, t: float) -> IntArray:
         out = np.zeros(len(self._layout.active), np.int64)
-        out[self._layout.imu_segment[t - self._fingers.felt < SEEN_LATELY]] = 1
+        out[self._layout.imu_segment[t - self._fingers.felt < RECENT]] = 1
         return out
 
     def feed_frame(self, frame: BlobFrame) -> None:

@@ -36,7 +36,7 @@ class DoubleTap:
 
     def _forget(self, t: float) -> None:
         self._mean: Array | None = None
-        self._last = self._quiet_since = t
+        self._last = self._still_since = t
         self._spike_since: float | None = None
         self._taps: list[float] = []
 
@@ -65,8 +65,8 @@ class DoubleTap:
     def _spike(self, t: float) -> None:
         if self._spike_since is None:
             first = not self._taps
-            if first and t - self._quiet_since < self.params.quiet:
-                self._quiet_since = t  # in the middle of a movement
+            if first and t - self._still_since < self.params.quiet:
+                self._still_since = t  # in the middle of a movement
                 return
             self._spike_since = t
             self._taps.append(t)
@@ -78,10 +78,10 @@ class DoubleTap:
         if self._taps and t - self._taps[-1] > 2 * self.params.longest:
             self._moved(t)
         if not self._taps:
-            self._quiet_since = t
+            self._still_since = t
 
     def _moved(self, t: float) -> None:
-        self._taps, self._spike_since, self._quiet_since = [], None, t
+        self._taps, self._spike_since, self._still_since = [], None, t
 
     def _rest(self, t: float) -> bool:
         p = self.params

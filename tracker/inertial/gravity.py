@@ -20,7 +20,7 @@ class GravityState(NamedTuple):
 
 
 class Gravity(WithState[GravityState]):
-    """θ_k = atan2 of the reading against joint 0's specific force; right while motion is slow.
+    """θ_k = atan2 of the reading against joint 0's specific force; accurate while motion is slow.
 
     Lemak et al. 2020, doi:10.3390/computers9020040, section 2.2.2.
     """

@@ -72,7 +72,7 @@ class SegmentFilters:
     def update(self, gyro: Array, accel: Array) -> None:
         """One sample of all: gyro (n, 3) rad/s, accel (n, 3) m/s² specific force, both in B.
 
-        A row with NaN is skipped: that IMU did not answer and keeps its orientation.
+        A row with NaN is skipped: that IMU did not respond and keeps its orientation.
         """
         self._step(gyro, accel)
 

@@ -22,7 +22,7 @@ from tracker.messages import BlobFrame, Calibration, Estimate, FrameResult, Stat
 from tracker.vision.region_prediction import RegionPrediction
 
 SURE_SHARE = 0.5  # of the markers expected; with fewer the whole image is searched
-GONE = 2.0  # s without packets after which whole images are not searched for a lost hand
+NO_PACKETS = 2.0  # s without packets after which whole images are not searched for a lost hand
 OF_ONE = {
     Tracking.SEARCHING: notice("tracking.searching"),
     Tracking.TRACKING: notice("tracking.tracked"),
@@ -180,12 +180,12 @@ class LiveHand:
             self.predicted = pipeline.ahead.markers(estimate.t, before)
 
     @property
-    def is_gone(self) -> bool:
+    def has_no_packets(self) -> bool:
         """Whether its glove is disconnected and it is not in view."""
         if self.tracking in (Tracking.TRACKING, Tracking.COASTING):
             return False
         now = self._clock()
-        return now - self._begun > GONE and self.history.silent(now, GONE)
+        return now - self._begun > NO_PACKETS and self.history.silent(now, NO_PACKETS)
 
     def status(self, shared: dict[str, float]) -> Status:
         """Returns the status of this hand and the devices; ``shared``: figures of all hands."""

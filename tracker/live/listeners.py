@@ -22,8 +22,8 @@ from tracker.base.registry import Registry
 if TYPE_CHECKING:  # a descriptor is imported to list it
     from tracker.glove.model import GloveModel
     from tracker.hand.model import HandModel
-    from tracker.live.right_of_way import RightOfWay
     from tracker.live.telemetry import Telemetry
+    from tracker.live.work_priority import WorkPriority
     from tracker.messages import Estimate, Event
 
 _log = logging.getLogger(__name__)
@@ -64,7 +64,7 @@ class LiveAccess:
     record: Callable[[Event], None]
     telemetry: Telemetry
     clock: Callable[[], float]
-    priority: RightOfWay
+    priority: WorkPriority
     vibrate: Vibrate | None = None
 
 

@@ -70,7 +70,7 @@ class LoadWatch:
     def __init__(self, params: LoadParams | None = None) -> None:
         self._params = params = params or LoadParams()
         self._packets, self._images, self._missed = (_Mean(params.memory) for _ in range(3))
-        self._idle_since = self._strained_since = math.inf
+        self._idle_since = self._overloaded_since = math.inf
         self._judged = -math.inf
         self._thinned = 0  # of `IMAGE_INTERVALS`
         self.level = Shed.NOTHING
@@ -113,10 +113,10 @@ class LoadWatch:
         """One step at a time, up soon and down late, so that nothing flickers."""
         self._judged = now
         p, strain = self._params, self.strain(now)
-        self._strained_since = min(self._strained_since, now) if strain > 1 else math.inf
+        self._overloaded_since = min(self._overloaded_since, now) if strain > 1 else math.inf
         self._idle_since = min(self._idle_since, now) if strain < p.little else math.inf
-        if now - self._strained_since >= p.begin:
-            self._strained_since = now
+        if now - self._overloaded_since >= p.begin:
+            self._overloaded_since = now
             self._leave_out_more()
         elif now - self._idle_since >= (p.thicken if self._thinned else p.end):
             self._idle_since = now

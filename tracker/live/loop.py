@@ -32,8 +32,8 @@ from tracker.live.journal import Journal
 from tracker.live.load import LoadWatch
 from tracker.live.recording import Recorder, RecordingThread
 from tracker.live.reference import ReferenceSlot
-from tracker.live.right_of_way import RightOfWay
 from tracker.live.telemetry import Telemetry, counted_since
+from tracker.live.work_priority import WorkPriority
 from tracker.messages import (
     BlobFrame,
     EngineState,
@@ -90,18 +90,18 @@ class ArrivalOrder:
 
 class RepeatFilter:
     """What the pipelines of both hands report on the one camera: the same notice is not repeated
-    within ``patience`` s, whatever its numbers are."""
+    within ``timeout`` s, whatever its numbers are."""
 
-    def __init__(self, patience: float) -> None:
-        self._patience = patience
+    def __init__(self, timeout: float) -> None:
+        self._period = timeout
         self._last: dict[tuple[object, ...], float] = {}
 
-    def is_news(self, what: Notice, now: float) -> bool:
+    def is_new(self, what: Notice, now: float) -> bool:
         """Whether it was not reported shortly before ``now`` (s)."""
         names = (value for value in what.values.values() if isinstance(value, str))
         subject = (what.code, *names)
         last, self._last[subject] = self._last.get(subject, float("-inf")), now
-        return now - last >= self._patience
+        return now - last >= self._period
 
 
 def _guided_event(command: GuidedCommand, t: float) -> Event:
@@ -128,7 +128,7 @@ class LiveLoop:
         """``inbox``: where messages wait that are fed next."""
         self.hands, self._inbox = hands, inbox or Inbox(clock)
         self.journal, self.telemetry, self.clock = journal, telemetry, clock
-        self.priority = RightOfWay()
+        self.priority = WorkPriority()
         pipelines, alone = hands.pipelines, len(hands.pipelines) == 1
         self.seen = {side: LiveHand(p, journal, clock, alone) for side, p in pipelines.items()}
         self.load = LoadWatch()
@@ -268,7 +268,7 @@ class LiveLoop:
     def _process_results(self) -> None:
         for side, pipeline in self.hands.pipelines.items():
             for found in pipeline.drain_notices():
-                if self._repeats.is_news(found, self.clock()):
+                if self._repeats.is_new(found, self.clock()):
                     self.journal.report("device", found)
             hand = self.seen[side]
             hand.take(self.hands.take_results(side), pipeline)
@@ -307,7 +307,7 @@ class LiveLoop:
     @property
     def predicted(self) -> RegionPrediction | None:
         """The regions of all hands' markers; None while a hand in view is not found yet."""
-        present = [hand.predicted for hand in self.seen.values() if not hand.is_gone]
+        present = [hand.predicted for hand in self.seen.values() if not hand.has_no_packets]
         known = [p for p in present if p is not None]
         return together(known) if known and len(known) == len(present) else None
 
@@ -330,17 +330,17 @@ class LiveLoop:
             self.record_state()
         self.journal.report("tracking", notice("engine.changed", engine=name))
 
-    def set_recorder(self, recorder: Recorder | None, patience: float | None = None) -> None:
+    def set_recorder(self, recorder: Recorder | None, timeout: float | None = None) -> None:
         """Starts recording into ``recorder``; the previous recording is finished and closed.
 
-        Waits for that at most ``patience`` s, after which it continues in the background. None:
+        Waits for that at most ``timeout`` s, after which it continues in the background. None:
         waits until this and all earlier recordings are finished.
         """
         with self._pipeline_lock:
             self._record_status()
             before = self.journal.detach()
         self._finishing += [before] if before is not None else []
-        self._finishing = [r for r in self._finishing if not r.finish(patience)]
+        self._finishing = [r for r in self._finishing if not r.finish(timeout)]
         if recorder is not None:
             with self._pipeline_lock:
                 self._at_start = {side: self.status(side).values for side in self.seen}

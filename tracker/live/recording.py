@@ -65,14 +65,14 @@ class RecordingThread:
         """Messages lost because the recorder was a minute behind."""
         return self._queue.overflowed
 
-    def finish(self, patience: float | None = None) -> bool:
+    def finish(self, timeout: float | None = None) -> bool:
         """Writes what is queued, then closes the file. Returns whether that took at most
-        ``patience`` s; None: no limit. May be called again.
+        ``timeout`` s; None: no limit. May be called again.
         """
         self._queue.close()
         self._ending.set()
         if self._thread is not threading.current_thread():
-            self._thread.join(patience)
+            self._thread.join(timeout)
         return not self._thread.is_alive()
 
     def _run(self) -> None:

@@ -36,10 +36,10 @@ from tracker.live.journal import Journal
 from tracker.live.listeners import ListenedHand, Listener, ListenerKind, LiveAccess, Vibrate
 from tracker.live.loop import LiveLoop
 from tracker.live.recording import Recorder
-from tracker.live.right_of_way import RightOfWay
 from tracker.live.telemetry import Telemetry
 from tracker.live.threads import ThreadGroup
 from tracker.live.vision import Vision
+from tracker.live.work_priority import WorkPriority
 from tracker.messages import (
     Calibration,
     Estimate,
@@ -56,7 +56,7 @@ from tracker.vision.detector import Detector
 
 T = TypeVar("T")
 STOPPING = 1.5  # s to wait for threads and devices; a driver may hang forever
-PATIENCE = 0.3  # s to wait for the end of a recording
+TIMEOUT = 0.3  # s to wait for the end of a recording
 WAIT = 0.05  # s between checks whether the engine thread should end
 
 
@@ -118,10 +118,10 @@ class LiveTracker:
         self._threads.start("vision", self._vision.step)
         self._threads.start("engine", self._feed, soon=True)
 
-    def stop(self, patience: float | None = None) -> None:
+    def stop(self, timeout: float | None = None) -> None:
         """Ends all threads, releases the devices, finishes the recording. May be called again.
 
-        Waits at most ``patience`` s for the recording, which then continues in the background;
+        Waits at most ``timeout`` s for the recording, which then continues in the background;
         None: waits until it is finished.
         """
         self._threads.request_stop()
@@ -133,7 +133,7 @@ class LiveTracker:
         self.set_reference(None)
         for hand in self._loop.seen.values():
             hand.listeners.close()
-        self._loop.set_recorder(None, patience)
+        self._loop.set_recorder(None, timeout)
 
     def _glove_thread(self, side: str) -> str:
         return "glove" if len(self._gloves) == 1 else f"glove-{side}"
@@ -160,7 +160,7 @@ class LiveTracker:
         return self._vision.profile
 
     @property
-    def right_of_way(self) -> RightOfWay:
+    def work_priority(self) -> WorkPriority:
         """The priority of live tracking over other work in Python."""
         return self._loop.priority
 
@@ -183,12 +183,12 @@ class LiveTracker:
         """
         self._loop.reference.use(name, wait=self._threads.stopping)
 
-    def set_recorder(self, recorder: Recorder | None, patience: float | None = PATIENCE) -> None:
+    def set_recorder(self, recorder: Recorder | None, timeout: float | None = TIMEOUT) -> None:
         """Starts recording into ``recorder``; the previous recording is finished and closed.
 
-        Waits for that at most ``patience`` s; None: until it is finished, as `stop` does.
+        Waits for that at most ``timeout`` s; None: until it is finished, as `stop` does.
         """
-        self._loop.set_recorder(recorder, patience)
+        self._loop.set_recorder(recorder, timeout)
 
     def keep_state(self) -> None:
         """Records the engine's state, for example after a pause in the file."""
@@ -284,7 +284,7 @@ class HandOfTracker(HandRequests):
         return self._hand.subscribe(subscriber)
 
     @property
-    def right_of_way(self) -> RightOfWay:
+    def work_priority(self) -> WorkPriority:
         """The priority of tracking over other work in Python."""
         return self._loop.priority
 

@@ -49,12 +49,12 @@ class ThreadGroup:
         """No further step begins."""
         self._stopping.set()
 
-    def join(self, release: Mapping[str, Callable[[], None]], patience: float) -> list[str]:
+    def join(self, release: Mapping[str, Callable[[], None]], timeout: float) -> list[str]:
         """Waits for the last steps and for ``release``, by a thread's name, to free its device.
 
         Either may hang in a driver, so a device is released in a thread of its own, after the
         thread that used it has ended. Returns the names of those that take longer than
-        ``patience`` s; they continue in the background. May be called again.
+        ``timeout`` s; they continue in the background. May be called again.
         """
         ends = dict(self._threads)
         self._threads.clear()
@@ -66,12 +66,12 @@ class ThreadGroup:
                 daemon=True,
             )
             ends[name].start()
-        until = time.monotonic() + patience
+        until = time.monotonic() + timeout
         for thread in ends.values():
             thread.join(max(until - time.monotonic(), 0.0))
         late = [name for name, thread in ends.items() if thread.is_alive()]
         for name in late:
-            _log.warning("%s does not end within %.1f s and is left behind", name, patience)
+            _log.warning("%s does not end within %.1f s and is left behind", name, timeout)
         return late
 
     def _run(self, name: str, step: Callable[[], None], soon: bool) -> None:

@@ -10,7 +10,7 @@ from tracker.live.inbox import DetectedFrame, Inbox
 from tracker.live.loop import LiveLoop
 from tracker.messages import Shed, StereoFrame
 from tracker.online.flicker_watch import FlickerWatch
-from tracker.sensors.image_watch import SilenceWatch
+from tracker.sensors.image_watch import StallWatch
 from tracker.vision.colours import ColourProfile
 from tracker.vision.detector import Detector, detect_frame
 from tracker.vision.hints import DetectionHints
@@ -38,7 +38,7 @@ class Vision:
         self._make_detector, self._detector = make_detector, make_detector(profile)
         self._inbox, self._loop = inbox, loop
         self._plan = SearchPlan()
-        self._silence, self._lamps = SilenceWatch(), FlickerWatch()
+        self._stalls, self._lamps = StallWatch(), FlickerWatch()
         self._last = -math.inf  # stamp of the last image that was searched
         self._shed = self._missed = 0
 
@@ -46,7 +46,7 @@ class Vision:
         """Searches the newest image, if one arrives within `WAIT`. Raises Closed at the end."""
         loop = self._loop
         frame = self.images.get(WAIT)
-        self._notice_silence(frame)
+        self._report_stall(frame)
         if frame is None:
             return
         self._notice_flicker(frame)
@@ -86,9 +86,9 @@ class Vision:
             self._lamps.look(image, frame.t, frame.index)
             self._loop.journal.report_all("device", self._lamps)
 
-    def _notice_silence(self, frame: StereoFrame | None) -> None:
+    def _report_stall(self, frame: StereoFrame | None) -> None:
         """Report a device that hangs in a call that never returns."""
-        watch, now = self._silence, self._loop.clock()
+        watch, now = self._stalls, self._loop.clock()
         what = watch.look(now) if frame is None else watch.received(now)
         if what is not None:
             self._loop.journal.report("device", what)

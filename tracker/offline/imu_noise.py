@@ -209,8 +209,8 @@ def longest_rest(raw: RawImu, rate_hz: float) -> tuple[int, int]:
             spread[k] = known.std(axis=0).max()
     if not np.isfinite(spread).any():
         return 0, 0
-    quiet = np.percentile(spread[np.isfinite(spread)], QUIET_PERCENTILE)
-    still = spread <= MOVED * quiet
+    least = np.percentile(spread[np.isfinite(spread)], QUIET_PERCENTILE)
+    still = spread <= MOVED * least
     edges = np.flatnonzero(np.diff(np.concatenate([[False], still, [False]])))
     if len(edges) == 0:
         return 0, 0

@@ -251,10 +251,10 @@ def _settings(reader: SessionReader, options: TrackOptions) -> Settings:
 def _settings_of_file(path: Path) -> Settings:
     """Raises FileError, and ConfigError naming the first unknown key or wrong value."""
 
-    def complain(key: str, why: Notice) -> None:
+    def on_problem(key: str, why: Notice) -> None:
         raise ConfigError(notice("config.key", file=path, key=key, why=why))
 
-    return settings_from(parse_toml(read_text(path), str(path)), complain)
+    return settings_from(parse_toml(read_text(path), str(path)), on_problem)
 
 
 def _camera_topics(reader: SessionReader) -> Iterator[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from tracker.base.notices import Outbox, notice, warning
 from tracker.messages import BlobFrame, Tracking
 
-PATIENCE = 2.0  # s
+DELAY = 2.0  # s
 MANY = 2.0  # patches in one image for each of the glove's markers
 GAP = 1.0  # s without images, after which it starts over
 
@@ -30,7 +30,7 @@ class ColourWatch:
         if not (lost and self._is_strange(count)):
             return
         self._most = max(self._most, count)
-        if not self.unfit and blobs.t - self._since >= PATIENCE:
+        if not self.unfit and blobs.t - self._since >= DELAY:
             self.unfit = True
             self.notices.post(warning("colours.unfit", patches=self._most))
 

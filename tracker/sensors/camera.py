@@ -92,7 +92,7 @@ class StereoCamera:
         try:
             pair = self._source.read()
             if pair is None:
-                self._gone()
+                self._is_disconnected()
                 return None
             pair = (in_colour(pair[0]), None if pair[1] is None else in_colour(pair[1]))
         except DeviceError as error:
@@ -150,7 +150,7 @@ class StereoCamera:
         self._next_due = due + 1 / self._source.fps
         return True
 
-    def _gone(self) -> None:
+    def _is_disconnected(self) -> None:
         if self._source.live:
             self._refuse(warning("camera.silent", camera=self._source.name))
         else:

@@ -160,7 +160,7 @@ class ControlledInput:
         with self._lock:
             return self._reports
 
-    def want(self, locks: Locks) -> None:
+    def request_locks(self, locks: Locks) -> None:
         """Applies this from the next image on."""
         with self._lock:
             self._locks, self._changed = locks, True

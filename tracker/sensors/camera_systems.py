@@ -84,7 +84,7 @@ def list_cameras(
 
     Raises DeviceError where the system's cameras cannot be listed; they still open by number.
     """
-    trouble = "nothing here knows how"
+    problem = "nothing here knows how"
     answered = False
     for backend in backends(system):
         try:
@@ -92,11 +92,11 @@ def list_cameras(
                 CameraName(c.index, c.name, c.path or "", backend) for c in enumerate_with(backend)
             ]
         except (NotImplementedError, ImportError, OSError, RuntimeError) as error:
-            trouble = str(error).rstrip(".!") or type(error).__name__
+            problem = str(error).rstrip(".!") or type(error).__name__
             continue
         answered = True
         if found:
             return found
     if answered:
         return []
-    raise DeviceError(notice("camera.not_listed", why=trouble))
+    raise DeviceError(notice("camera.not_listed", why=problem))

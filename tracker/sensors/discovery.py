@@ -39,7 +39,7 @@ class PortReport:
     path: str
     hello: Hello | None
     streaming: bool = False  # samples without a HELLO: another run started the glove
-    trouble: Notice | None = None
+    problem: Notice | None = None
     baud: int = BAUD  # baud rate at which it answered
 
     @property
@@ -49,17 +49,17 @@ class PortReport:
 
 
 def find_gloves(
-    paths: Iterable[str] | None = None, patience: float = 4.0, bauds: Sequence[int] = BAUDS
+    paths: Iterable[str] | None = None, timeout: float = 4.0, bauds: Sequence[int] = BAUDS
 ) -> list[PortReport]:
-    """Queries each port in turn, for at most ``patience`` s (a chip needs two after a reset)."""
+    """Queries each port in turn, for at most ``timeout`` s (a chip needs two after a reset)."""
     found = serial_ports() if paths is None else paths
-    return [probe(path, serial_port(path, bauds[0]), patience, bauds=bauds) for path in found]
+    return [probe(path, serial_port(path, bauds[0]), timeout, bauds=bauds) for path in found]
 
 
 def probe(
     path: str,
     open_port: Callable[[], Port],
-    patience: float = 4.0,
+    timeout: float = 4.0,
     clock: Callable[[], float] = time.monotonic,
     bauds: Sequence[int] = BAUDS,
 ) -> PortReport:
@@ -69,25 +69,25 @@ def probe(
         port = open_port()
     except OSError as error:
         return PortReport(
-            path, None, trouble=warning("port.not_opened", port=path, why=reason(error))
+            path, None, problem=warning("port.not_opened", port=path, why=reason(error))
         )
     try:
-        return _ask(path, port, patience, clock, bauds)
+        return _ask(path, port, timeout, clock, bauds)
     except OSError as error:
-        return PortReport(path, None, trouble=warning("port.lost", port=path, why=reason(error)))
+        return PortReport(path, None, problem=warning("port.lost", port=path, why=reason(error)))
     finally:
         port.close()
 
 
 def _ask(
-    path: str, port: Port, patience: float, clock: Callable[[], float], bauds: Sequence[int]
+    path: str, port: Port, timeout: float, clock: Callable[[], float], bauds: Sequence[int]
 ) -> PortReport:
     start, received, turn, streaming_at = clock(), 0, 0, 0
-    while (began := clock()) - start < patience:
+    while (began := clock()) - start < timeout:
         baud = streaming_at or bauds[turn % len(bauds)]
         if isinstance(port, TunablePort):
             port.baudrate = baud
-        end = min(began + ASK_EVERY, start + patience)
+        end = min(began + ASK_EVERY, start + timeout)
         decoder, turn = FrameDecoder(), turn + 1
         port.write(b"\0" + encode(HelloRequest()))
         hello, streaming = _listen(port, decoder, clock, end)
@@ -97,7 +97,7 @@ def _ask(
             return PortReport(path, hello, bool(streaming_at), baud=baud)
     if streaming_at:
         return PortReport(path, None, True, baud=streaming_at)
-    return PortReport(path, None, trouble=_silence(path, received, bauds))
+    return PortReport(path, None, problem=_undecodable(path, received, bauds))
 
 
 def _listen(
@@ -113,7 +113,7 @@ def _listen(
     return None, streaming
 
 
-def _silence(path: str, received: int, bauds: Sequence[int]) -> Notice:
+def _undecodable(path: str, received: int, bauds: Sequence[int]) -> Notice:
     if received:
         return warning("port.not_glove", port=path, received_bytes=received, bauds=bauds)
     return warning("port.no_answer", port=path)

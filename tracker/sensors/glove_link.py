@@ -31,7 +31,7 @@ from tracker.sensors.link_faults import (
     LinkFaults,
     judge_rate,
     not_opened,
-    stranger,
+    other_glove,
     unknown_chip,
     why_no_hello,
 )
@@ -59,7 +59,7 @@ from tracker.sensors.serial_line import Port as Port
 from tracker.sensors.serial_line import WiredPort, read_waiting, reason, write_now
 from tracker.sensors.serial_line import serial_port as serial_port
 
-LONG_SILENCE = 60.0  # s, after which seq may have wrapped unnoticed
+LONG_PAUSE = 60.0  # s, after which seq may have wrapped unnoticed
 ANSWER_WITHIN = 1.0  # s between a request for HELLO and its arrival, at most
 MOMENT = 0.002  # s that a motor command waits for another frame to be written
 LOST_AT_MOST = 200  # packets, while a HELLO is answered
@@ -96,7 +96,7 @@ class GloveLink:
         self._at_rest = RangeFromRest()
         self._last_seq: int | None = None  # seq of the last samples since START
         self._before: int | None = None  # the same at a HELLO that may be a late answer
-        self._was_gone = False  # its return has not been reported yet
+        self._was_disconnected = False  # its return has not been reported yet
         self._packet_clock = self._new_clock()
         self._wanted_rate = self.params.rate_hz  # set by any thread, sent by the polling one
         self._rate_asked = float("-inf")  # time of sending
@@ -146,7 +146,7 @@ class GloveLink:
             self._writing.release()
         return False
 
-    def want_rate(self, rate_hz: int) -> None:
+    def request_rate(self, rate_hz: int) -> None:
         """Requests another rate at the next poll and after each restart. From any thread.
 
         Raises ValueError for a rate that the protocol or the line does not support.
@@ -253,7 +253,7 @@ class GloveLink:
             if self._port is not None:
                 self._port.close()
             self._port = None
-        self.state, self._was_gone = LinkState.UNPLUGGED, True
+        self.state, self._was_disconnected = LinkState.UNPLUGGED, True
         self._events.report(warning("glove.unplugged", why=reason(error)))
 
     # ---- frames
@@ -276,7 +276,7 @@ class GloveLink:
 
     def _greeted(self, hello: Hello, now: float) -> None:
         """A HELLO after samples means a restart, unless it is a late answer to HELLO?."""
-        if self._is_stranger(hello.glove_id, now):
+        if self._is_other_glove(hello.glove_id, now):
             return
         if self._last_seq is not None and self.state != LinkState.GREETING:
             if now - self._began < ANSWER_WITHIN:
@@ -294,18 +294,18 @@ class GloveLink:
             self._events.once("count", has)
         self._begin(now)
 
-    def _is_stranger(self, glove_id: int | None, now: float) -> bool:
+    def _is_other_glove(self, glove_id: int | None, now: float) -> bool:
         """If another glove is found here, it is not used, and the search continues."""
         place = self._open_port
         if not isinstance(place, GlovePort):
             return False
         before = place.home
         if place.is_right(glove_id):
-            if place.home != before or self._was_gone:
+            if place.home != before or self._was_disconnected:
                 self._events.report(notice("glove.back_at", port=place.path))
-                self._was_gone = False
+                self._was_disconnected = False
             return False
-        self._events.once(f"stranger {glove_id}", stranger(place, glove_id))
+        self._events.once(f"stranger {glove_id}", other_glove(place, glove_id))
         with self._writing:
             if self._port is not None:
                 self._port.close()
@@ -324,9 +324,9 @@ class GloveLink:
             self._send(Rate(self.params.rate_hz))
         self._send(Start())
         self.state, self._since = LinkState.STREAMING, now
-        if self._was_gone:  # at the same port as before
+        if self._was_disconnected:  # at the same port as before
             self._events.report(notice("glove.sends_again"))
-            self._was_gone = False
+            self._was_disconnected = False
 
     def _samples(self, frame: Samples, now: float) -> list[ImuSample]:
         if len(frame.raw) != self._imu_count:
@@ -335,7 +335,7 @@ class GloveLink:
             return []
         if self.state == LinkState.SILENT:
             self._events.report(notice("glove.sends_again"))
-            if now - self._since > LONG_SILENCE:
+            if now - self._since > LONG_PAUSE:
                 self._packet_clock = self._new_clock()
         if (
             self.state != LinkState.GREETING
@@ -392,7 +392,7 @@ class GloveLink:
                 self._asked = True
                 self._send(Stop())  # a glove that an earlier run started repeats its HELLO
                 self._send(HelloRequest())
-            if waited > p.boot + p.patience and not self._is_stranger(None, now):
+            if waited > p.boot + p.timeout and not self._is_other_glove(None, now):
                 missing = why_no_hello(self.decoder.counters, self._before_greeting, p.baud)
                 self._events.report(missing)
                 self._begin(now)

@@ -52,13 +52,13 @@ class GlovePort:
 
     def __call__(self) -> Port:
         """Returns the glove's open port. Raises OSError if there is none."""
-        trouble: OSError | None = None
+        problem: OSError | None = None
         ports = self._ports()
         for path in self._places(ports):
             try:
                 port = self._open_at(path, self._baud)()
             except OSError as error:
-                trouble = trouble or error
+                problem = problem or error
                 continue
             self.path = path
             if self.home:
@@ -66,7 +66,7 @@ class GlovePort:
             return port
         if not self.home:
             raise FileNotFoundError(2, f"glove {self.glove_id} is not plugged in")
-        raise trouble or FileNotFoundError(2, "No such file or directory", self.home)
+        raise problem or FileNotFoundError(2, "No such file or directory", self.home)
 
     def is_right(self, glove_id: int | None) -> bool:
         """Whether the glove that answered at `path` (None: it sent nothing) is the expected one.

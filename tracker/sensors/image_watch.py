@@ -56,25 +56,25 @@ def _filled(rows: Image) -> bool:
     return int(colour.max()) < SATURATED and bool((rows == colour).all())
 
 
-class SilenceWatch:
+class StallWatch:
     """Reports once that no image arrived for ``after`` s, and once that images arrive again."""
 
     def __init__(self, after: float = 0.5) -> None:
         self._after = after
         self._last: float | None = None
-        self._silent = False
+        self._stalled = False
 
     def received(self, t: float) -> Notice | None:
         """An image arrived at ``t`` (s)."""
         self._last = t
-        if not self._silent:
+        if not self._stalled:
             return None
-        self._silent = False
+        self._stalled = False
         return notice("camera.images_back")
 
     def look(self, t: float) -> Notice | None:
         """No image arrived until ``t`` (s)."""
-        if self._silent or self._last is None or t - self._last <= self._after:
+        if self._stalled or self._last is None or t - self._last <= self._after:
             return None
-        self._silent = True
+        self._stalled = True
         return warning("camera.no_images", silent_s=self._after)

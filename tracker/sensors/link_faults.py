@@ -99,7 +99,7 @@ def why_no_hello(now: LinkCounters, before: LinkCounters, baud: int) -> Notice:
     return warning("glove.no_hello")
 
 
-def stranger(place: GlovePort, glove_id: int | None) -> Notice:
+def other_glove(place: GlovePort, glove_id: int | None) -> Notice:
     """Reports that the device at ``place`` is not the expected glove."""
     if glove_id is None:
         return warning("glove.stranger_unknown", port=place.path, glove_id=place.glove_id)

@@ -25,7 +25,7 @@ class LinkParams:
 
     rate_hz: int = 100
     boot: float = 2.0  # opening the port may reset the chip
-    patience: float = 2.0  # further s without HELLO, after which START is sent anyway
+    timeout: float = 2.0  # further s without HELLO, after which START is sent anyway
     silent_after: float = 0.5
     reopen_every: float = 0.5
     baud: int = BAUD  # 200 packets a second need `BAUD`

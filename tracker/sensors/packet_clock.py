@@ -136,7 +136,7 @@ class PacketClock:
     def __init__(
         self, period: float, wire_time: float, reported_period: float | None = None
     ) -> None:
-        self._asked, self._said, self._wire_time = period, reported_period, wire_time
+        self._asked, self._reported_period, self._wire_time = period, reported_period, wire_time
         self.restart()
 
     def restart(self) -> None:
@@ -207,7 +207,11 @@ class PacketClock:
     def _is_rate(self, packets: int, passed: float, doubt: tuple[float, float] | None) -> bool:
         if doubt is not None:
             return _agree(packets, passed, doubt[0])
-        return not self._steps and self._said is not None and _agree(packets, passed, self._said)
+        return (
+            not self._steps
+            and self._reported_period is not None
+            and _agree(packets, passed, self._reported_period)
+        )
 
     def _learn(self, step: float) -> None:
         self._steps.append(step)

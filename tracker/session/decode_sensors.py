@@ -46,12 +46,12 @@ class Grouper(Generic[T]):
     """Collects parts whose stamps agree within ``tolerance`` ns.
 
     A group is released when it is complete, when `close` is called, or when log time has advanced
-    by more than ``patience`` ns; groups are released in the order of their stamps, at log times
+    by more than ``delay`` ns; groups are released in the order of their stamps, at log times
     that never decrease.
     """
 
-    def __init__(self, names: frozenset[str], tolerance: int, patience: int) -> None:
-        self._names, self._tolerance, self._patience = names, tolerance, patience
+    def __init__(self, names: frozenset[str], tolerance: int, delay: int) -> None:
+        self._names, self._tolerance, self._delay = names, tolerance, delay
         self._open: list[Group[T]] = []
         self._released_until = -1
 
@@ -91,11 +91,11 @@ class Grouper(Generic[T]):
         return out
 
     def _done(self, group: Group[T], now: int) -> bool:
-        return group.parts.keys() >= self._names or now - group.log_time > self._patience
+        return group.parts.keys() >= self._names or now - group.log_time > self._delay
 
 
 _KEPT = 64
-_FOREIGN_PATIENCE = NS // 10  # images in a foreign file may be this late against their IMUs
+_FOREIGN_DELAY = NS // 10  # images in a foreign file may be this late against their IMUs
 
 
 @dataclass(frozen=True)
@@ -104,7 +104,7 @@ class Timing:
 
     imu_tolerance: int = 0
     frame_tolerance: int = 0
-    patience: int = 0
+    delay: int = 0
 
 
 def foreign_timing(source: McapInput, info: SessionInfo) -> Timing:
@@ -115,7 +115,7 @@ def foreign_timing(source: McapInput, info: SessionInfo) -> Timing:
     return Timing(
         _half_period(source, imus, NS // 100),
         _half_period(source, frames, NS // 30),
-        _FOREIGN_PATIENCE,
+        _FOREIGN_DELAY,
     )
 
 
@@ -149,11 +149,11 @@ class SensorDecoder:
         self._info, self._packets, self._left_out = info, packets, left_out
         self._t = info.anchor.monotonic
         self._imus = Grouper[sensors.ImuMessage](
-            frozenset(info.glove.imu_names), timing.imu_tolerance, timing.patience
+            frozenset(info.glove.imu_names), timing.imu_tolerance, timing.delay
         )
         both = frozenset(EYES)
-        self._images = Grouper[sensors.ImageMessage](both, timing.frame_tolerance, timing.patience)
-        self._blobs = Grouper[sensors.Detections](both, timing.frame_tolerance, timing.patience)
+        self._images = Grouper[sensors.ImageMessage](both, timing.frame_tolerance, timing.delay)
+        self._blobs = Grouper[sensors.Detections](both, timing.frame_tolerance, timing.delay)
         self._celsius: Array | None = None  # from the next packet on
         self._poses: dict[int, CameraPose] = {}
         self._cloth: dict[tuple[str, int], Cloth] = {}  # of the next blobs, by their stamp

@@ -312,7 +312,7 @@ class SimulatedGlove:
         `time.monotonic`. From any thread."""
         return self._motors.mean(0, begin - self._t_0, end - self._t_0)
 
-    def complain(self, text: str) -> None:
+    def on_problem(self, text: str) -> None:
         """Send an ERROR frame."""
         with self._lock:
             self._write(encode(ErrorText(text)))

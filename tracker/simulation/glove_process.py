@@ -109,10 +109,12 @@ class GloveProcess:
 def _generate(pipe: Connection, spec: DemoSpec, receiver: Connection) -> None:
     """One process: generates packets on request until the gloves or ``pipe`` are closed."""
     scene = build_scene(spec)
-    worn = hands_of(scene)
-    packets = {side: simulation.imu_samples() for side, simulation in worn.items()}
+    simulations = hands_of(scene)
+    packets = {side: simulation.imu_samples() for side, simulation in simulations.items()}
     with contextlib.suppress(EOFError, OSError, KeyboardInterrupt):
-        receiver.send({side: len(simulation.glove.imus) for side, simulation in worn.items()})
+        receiver.send(
+            {side: len(simulation.glove.imus) for side, simulation in simulations.items()}
+        )
         while True:
             for ready in mp.connection.wait([pipe, receiver]):
                 if ready is pipe:
@@ -121,7 +123,7 @@ def _generate(pipe: Connection, spec: DemoSpec, receiver: Connection) -> None:
                 side = receiver.recv()
                 samples = list(itertools.islice(packets[side], AT_ONCE))
                 t = [sample.t for sample in samples[:1]]
-                celsius = worn[side].imus.temperature(np.array(t))[0] if t else None
+                celsius = simulations[side].imus.temperature(np.array(t))[0] if t else None
                 receiver.send(_Packets(samples, celsius))
 
 
@@ -155,12 +157,15 @@ def _serve(pipe: Connection, source: Connection) -> None:
     """The other process: runs the gloves until the pipe is closed."""
     sys.setswitchinterval(SWITCH_S)
     run_as_device()
-    with contextlib.suppress(EOFError, OSError, KeyboardInterrupt), contextlib.ExitStack() as worn:
+    with (
+        contextlib.suppress(EOFError, OSError, KeyboardInterrupt),
+        contextlib.ExitStack() as resources,
+    ):
         counts: Mapping[str, int] = source.recv()
         lock = threading.Lock()
         try:
             devices = {
-                side: _device(worn, _Generated(source, lock, side), side, imu_count)
+                side: _device(resources, _Generated(source, lock, side), side, imu_count)
                 for side, imu_count in counts.items()
             }
         except GlovetrackError as error:
@@ -174,11 +179,11 @@ def _serve(pipe: Connection, source: Connection) -> None:
 
 
 def _device(
-    worn: contextlib.ExitStack, generated: _Generated, side: str, imu_count: int
+    resources: contextlib.ExitStack, generated: _Generated, side: str, imu_count: int
 ) -> SimulatedGlove:
     packets = DrawnAhead(iter(generated))
-    worn.callback(packets.close)
+    resources.callback(packets.close)
     params = GloveDeviceParams(glove_id=GLOVE_IDS[side])
     device = SimulatedGlove(packets, imu_count, params=params, temperature=generated.temperature)
-    worn.callback(device.stop)
+    resources.callback(device.stop)
     return device

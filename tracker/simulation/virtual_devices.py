@@ -63,7 +63,7 @@ class VirtualGlove:
         self._restart()
 
     def _restart(self) -> None:
-        self._born, self._jumped, self._seq, self._streaming = self.now, 0.0, 0, False
+        self._started, self._jumped, self._seq, self._streaming = self.now, 0.0, 0, False
         self._next_hello, self._next_status = max(self._ready_at, self.now), self.now + 1.0
         self._decoder = FrameDecoder()
 
@@ -82,9 +82,9 @@ class VirtualGlove:
             if self._streaming:
                 self._send(self._packet(self._next))
             self._next = next(self._source, None)
-        self._speak()
+        self._send_all()
 
-    def _speak(self) -> None:
+    def _send_all(self) -> None:
         """HELLO until START, STATUS once a second after it."""
         if self._streaming and self.now >= self._next_status:
             self._next_status = self.now + 1.0
@@ -126,7 +126,7 @@ class VirtualGlove:
         self._put(encode(self._electric.frame(frame, self.now)))
 
     def _packet(self, sample: ImuSample) -> Samples:
-        t_us = round((sample.t - self._born + self._jumped + 100.0) * 1e6)
+        t_us = round((sample.t - self._started + self._jumped + 100.0) * 1e6)
         seq, self._seq = self._seq, (self._seq + 1) % 65536
         return Samples(seq, t_us % 2**32, quantised(sample))
 

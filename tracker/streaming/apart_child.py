@@ -32,7 +32,7 @@ def _definition(hand: HandModel | None) -> list[Any]:
     return [getattr(hand, f.name) for f in fields(HandModel)] if hand is not None else []
 
 
-def _give_way() -> None:
+def _lower_priority() -> None:
     """On a loaded computer, tracking has priority: this process gets a smaller share of it, and
     does not interrupt another one when an estimate arrives (SCHED_BATCH; with SCHED_IDLE, two busy
     programs would stop all streams on two cores)."""
@@ -45,21 +45,21 @@ def _give_way() -> None:
 
 def serve(pipe: Connection) -> None:
     """Runs until the other end requests the end or disconnects."""
-    _give_way()
-    desk = _Desk(pipe)
+    _lower_priority()
+    server = _StreamServer(pipe)
     try:
         while True:
             data = pipe.recv_bytes()
             if data.startswith(MARK):
-                desk.feed(*unpacked(data))
+                server.feed(*unpacked(data))
                 continue
             item = pickle.loads(data)
             if item is None:
                 break
-            desk.ask(item)
+            server.handle(item)
     except (EOFError, OSError):
         pass
-    desk.close()
+    server.close()
 
 
 class _Open:
@@ -77,7 +77,7 @@ class _Open:
             close_all(self.publishers)
 
 
-class _Desk:
+class _StreamServer:
     """Requests are carried out in separate threads, since opening and testing take time. A stream
     that starts receives the next estimate."""
 
@@ -95,7 +95,7 @@ class _Desk:
                 first = stream.first.setdefault(hand, estimate.seq)
                 stream.streams[hand].offer(estimate, estimate.seq - first)
 
-    def ask(self, asked: StreamRequest) -> None:
+    def handle(self, asked: StreamRequest) -> None:
         if asked.do == "start":
             self._answer(asked)
             return

@@ -101,13 +101,13 @@ def attach(
 
     At `MAX_RATE_HZ` all estimates of a tracker that publishes them are sent. ``report``
     receives a notice when an output fails or recovers. Outputs wait while a tracker with a
-    ``right_of_way`` processes a message.
+    ``work_priority`` processes a message.
     """
     if not 0 < rate_hz <= MAX_RATE_HZ:
         raise ValueError(f"the rate is between 0 and {MAX_RATE_HZ:g} Hz, not {rate_hz:g}")
-    priority = getattr(tracker, "right_of_way", None)
-    give: Callable[[], None] = priority.give if priority is not None else lambda: None
-    streams = Streams(publishers, report, give)
+    priority = getattr(tracker, "work_priority", None)
+    pause: Callable[[], None] = priority.wait if priority is not None else lambda: None
+    streams = Streams(publishers, report, pause)
     if not isinstance(tracker, PublishesEstimates):
         return Attachment(streams, _Poll(tracker, streams.offer, 1.0 / rate_hz).stop)
     offer = streams.offer if rate_hz == MAX_RATE_HZ else _Thinned(streams.offer, 1.0 / rate_hz)

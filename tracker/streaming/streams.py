@@ -94,10 +94,10 @@ class Streams:
         self,
         publishers: Sequence[Publisher],
         report: Callable[[Notice], None] = lambda _: None,
-        give: Callable[[], None] = lambda: None,
+        pause: Callable[[], None] = lambda: None,
     ) -> None:
-        """``give`` waits while the engine processes a message, see `tracker.live.right_of_way`."""
-        self._outputs = [_Output(p, report, give) for p in publishers]
+        """``pause`` waits while the engine processes a message (`tracker.live.work_priority`)."""
+        self._outputs = [_Output(p, report, pause) for p in publishers]
         for output in self._outputs:
             SENDERS.add(output)
         self._offered = 0
@@ -144,9 +144,9 @@ class _Output:
         self,
         publisher: Publisher,
         report: Callable[[Notice], None],
-        give: Callable[[], None],
+        pause: Callable[[], None],
     ) -> None:
-        self._publisher, self._report, self._give = publisher, report, give
+        self._publisher, self._report, self._pause = publisher, report, pause
         self.queue: Backlog[tuple[int, Estimate]] = Backlog(BACKLOG)
         self._times: deque[float] = deque()  # of what was sent in the last `RATE_WINDOW`
         self._began = time.monotonic()
@@ -190,7 +190,7 @@ class _Output:
             return True
         if numbered is None:
             return False
-        self._give()
+        self._pause()
         self._send(_numbered(*numbered))
         return True
 
@@ -201,15 +201,15 @@ class _Output:
             self._failed += 1
             if not self._error:  # once, until it works again
                 _log.warning("The stream %s failed", self._publisher.name, exc_info=True)
-            self._tell(_reason(error))
+            self._report_error(_reason(error))
         else:
             now = time.monotonic()
             self._sent += 1
             self._rate(now, sent=1)
             self._late.append(now - estimate.t)
-            self._tell("")
+            self._report_error("")
 
-    def _tell(self, error: Title) -> None:
+    def _report_error(self, error: Title) -> None:
         """Reports the start and the end of a failure, once each."""
         before, self._error = self._error, error
         if error and not before:
@@ -223,10 +223,10 @@ class _Output:
 # All threads of a process share Python's lock. Twelve threads that each wake up for an estimate,
 # and release the lock whenever they send, spend as much time on waiting for one another as on the
 # work. One thread sends for all outputs, one after another. A second one watches it: an output
-# that takes longer than `PATIENCE` keeps the thread in which it hangs, from then on for itself,
-# and the watching thread continues with the others.
+# that takes longer than `QUEUE_TIMEOUT` keeps the thread in which it hangs from then on, and the
+# watching thread continues with the others.
 
-PATIENCE = 0.1  # s; a loaded computer may interrupt a thread for some 10 ms
+QUEUE_TIMEOUT = 0.1  # s; a loaded computer may interrupt a thread for some 10 ms
 
 
 class Sender(Protocol):
@@ -242,8 +242,8 @@ class Sender(Protocol):
 class Senders:
     """Threads for any number of outputs; they end when there are none."""
 
-    def __init__(self, patience: float = PATIENCE) -> None:
-        self._patience = patience
+    def __init__(self, queue_timeout: float = QUEUE_TIMEOUT) -> None:
+        self._queue_timeout = queue_timeout
         self._lock = threading.Lock()
         self._arrived = threading.Condition(self._lock)
         self._ended = threading.Condition(self._lock)  # of the last output
@@ -320,9 +320,9 @@ class Senders:
         with self._lock:
             while self._leader is not None:
                 at = self._at
-                if at is not None and time.monotonic() - at[1] > self._patience:
+                if at is not None and time.monotonic() - at[1] > self._queue_timeout:
                     break
-                self._ended.wait(self._patience)
+                self._ended.wait(self._queue_timeout)
             self._watched = False
             if self._leader is None:
                 return

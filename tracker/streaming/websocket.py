@@ -28,7 +28,7 @@ from tracker.streaming.publisher import LOOPBACK, Names, OtherHand, Publisher, S
 from tracker.streaming.server_thread import LOCAL_PAGE, ServerThread
 from tracker.streaming.shared import Gestures
 
-MAX_SAID = 1024  # bytes of a client's message; clients send none
+MAX_CLIENT_MESSAGE = 1024  # bytes of a client's message; clients send none
 
 
 class WebSocketPublisher:
@@ -44,7 +44,12 @@ class WebSocketPublisher:
         self._missed = 0  # by clients that have left
         self._closing = False
         self._server = ServerThread(
-            "WebSocket", self._feed, host, port, origins=[None, LOCAL_PAGE], max_size=MAX_SAID
+            "WebSocket",
+            self._feed,
+            host,
+            port,
+            origins=[None, LOCAL_PAGE],
+            max_size=MAX_CLIENT_MESSAGE,
         )
         self.port = self._server.port
         self.name = notice("stream.at", stream="WebSocket", host=host, port=self.port)

@@ -278,7 +278,7 @@ class Desk:
         self._streams.end()
         try:
             self._setup.engine.stop()
-            self._send_news()  # whether files are complete
+            self._send_update()  # whether files are complete
         finally:
             self._setup.close()
             self._room.pixels.close()
@@ -329,14 +329,14 @@ class Desk:
             if not self._taken.wait(LOOK_EVERY):
                 continue
             self._taken.clear()
-            if self._ended.wait(self._pause) or not self._send_news():
+            if self._ended.wait(self._pause) or not self._send_update():
                 return
             if settling > 0 and self._setup.tracked.latest_estimate() is not None:
                 settling -= max(self._pause, SHORTEST)
                 if settling <= 0:
                     freeze_new_objects()
 
-    def _send_news(self) -> bool:
+    def _send_update(self) -> bool:
         """Returns whether they could be collected; otherwise the window has to stop tracking, or it
         would show that all is well."""
         try:

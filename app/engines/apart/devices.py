@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
-from app.engines.apart.messages import FileNews
+from app.engines.apart.messages import FileUpdate
 from app.engines.apart.process import EngineProcess, process_ended
 from app.words import notice_text
 from tracker.base.clock import monotonic
@@ -32,8 +32,8 @@ class ApartGlove:
     def report(self) -> GloveReport:
         return self.news
 
-    def want_rate(self, rate_hz: int) -> None:
-        self._process.tell(self._target, "want_rate", rate_hz)
+    def request_rate(self, rate_hz: int) -> None:
+        self._process.tell(self._target, "request_rate", rate_hz)
 
     def vibrate(self, channel: int, amplitude: int, duration_ms: int) -> bool:
         """Returns whether the request was sent; the glove's own answer is not waited for."""
@@ -69,8 +69,8 @@ class ApartControls:
         found: tuple[FixedSetting, ...] = self._latest("fixed")
         return found
 
-    def want(self, locks: Locks) -> None:
-        self._process.tell(CONTROLS, "want", locks)
+    def request_locks(self, locks: Locks) -> None:
+        self._process.tell(CONTROLS, "request_locks", locks)
         self._due.clear()
 
     def _latest(self, what: str) -> Any:
@@ -91,11 +91,11 @@ class ApartFile:
 
     def __init__(self, process: EngineProcess, key: int) -> None:
         self._process, self.key = process, key
-        self._news = FileNews(0, False, "", False, {})
+        self._news = FileUpdate(0, False, "", False, {})
         self._paused = False
         self._closed = threading.Event()
 
-    def take(self, news: FileNews) -> None:
+    def take(self, news: FileUpdate) -> None:
         """What the process reports of it."""
         self._news = news
         if news.closed:
@@ -104,7 +104,7 @@ class ApartFile:
     def end(self) -> None:
         """The process has ended; the recorder's own process completes the file."""
         if not self._closed.is_set():
-            self._news = FileNews(self.written, True, notice_text(process_ended()), True, {})
+            self._news = FileUpdate(self.written, True, notice_text(process_ended()), True, {})
             self._closed.set()
 
     @property

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from app.engines.apart.messages import LISTENER, Estimated, HandNews
+from app.engines.apart.messages import LISTENER, Estimated, HandUpdate
 from app.engines.apart.process import EngineProcess
 from tracker.base.callbacks import ignore
 from tracker.base.clock import monotonic
@@ -15,8 +15,8 @@ from tracker.fusion.engine import Engine
 from tracker.live.frame_results import MOST_SHOWN, ShownFrame
 from tracker.live.history import History, SearchedImage
 from tracker.live.listeners import ListenerLine, Listeners
-from tracker.live.right_of_way import RightOfWay
 from tracker.live.telemetry import Telemetry
+from tracker.live.work_priority import WorkPriority
 from tracker.messages import (
     Calibration,
     Estimate,
@@ -90,7 +90,7 @@ class ApartHand(HandCommands):
         super().__init__(process, side)
         self._side = side
         self.listeners, self.telemetry = listeners, Telemetry()
-        self.right_of_way = RightOfWay()  # no engine works in this process
+        self.work_priority = WorkPriority()  # no engine works in this process
         self._estimate: Estimate | None = None
         self._estimates: History[Estimate] = History()
         self._imu: History[ImuSample] = History()
@@ -121,7 +121,7 @@ class ApartHand(HandCommands):
         for subscriber in self._subscribers:
             subscriber(estimate)
 
-    def take_news(self, news: HandNews, images: dict[float, StereoFrame]) -> None:
+    def take_update(self, news: HandUpdate, images: dict[float, StereoFrame]) -> None:
         """What is new besides; ``images`` by the s of their exposure."""
         for sample in news.imu:
             self._imu.add(sample)

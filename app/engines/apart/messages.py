@@ -139,7 +139,7 @@ class Pixels(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class HandNews:
+class HandUpdate:
     """What is new of one hand since the last message; None: no change."""
 
     imu: tuple[ImuSample, ...]
@@ -153,7 +153,7 @@ class HandNews:
 
 
 @dataclass(frozen=True)
-class FileNews:
+class FileUpdate:
     """The state of a recording; see `app.engines.recording.PausableRecorder`."""
 
     written: int
@@ -164,24 +164,24 @@ class FileNews:
 
 
 @dataclass(frozen=True, eq=False)
-class News:
+class Update:
     """What is new since the last message. ``profile`` are the colours after ``profiles`` changes by
     the user, None: unchanged."""
 
-    hands: Mapping[str, HandNews]
+    hands: Mapping[str, HandUpdate]
     pixels: Pixels | None
     events: tuple[Event, ...]
     failure: Notice | None
     profile: ColourProfile | None
     profiles: int
-    files: Mapping[int, FileNews]
+    files: Mapping[int, FileUpdate]
     unfit: UnfitImages | None
 
 
 class Received(NamedTuple):
     """News, and the name of the memory of the pixels from these news on; empty: as before."""
 
-    news: News
+    news: Update
     memory: str
 
 

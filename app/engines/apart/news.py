@@ -7,7 +7,7 @@ import time
 from collections.abc import Mapping, Sequence
 from typing import TypeVar, cast
 
-from app.engines.apart.messages import FileNews, HandNews, NewFrame, News, Pixels
+from app.engines.apart.messages import FileUpdate, HandUpdate, NewFrame, Pixels, Update
 from app.engines.apart.pixels import PixelWriter
 from app.engines.engine import EngineSetup
 from app.engines.protocols import RecordedFile
@@ -46,7 +46,7 @@ class HandWatch:
         self._calibration: Calibration | None = None
         self._status_due, self._report_due = _Due(STATUS_EVERY), _Due(REPORT_EVERY)
 
-    def news(self, now: float) -> HandNews:
+    def news(self, now: float) -> HandUpdate:
         """Everything since the last call; ``now`` in s."""
         hand, live, device = self._setup.tracked, self._setup.live, self._setup.connection.device
         imu = _since(hand.recent_imu(), self._imu_t)
@@ -56,7 +56,7 @@ class HandWatch:
         calibration = hand.calibration()
         changed = calibration is not self._calibration
         self._calibration = calibration
-        return HandNews(
+        return HandUpdate(
             imu,
             images,
             self._frames([image.t for image in images[-MOST_SHOWN:]]),
@@ -105,7 +105,7 @@ class Newsroom:
         self.pixels = PixelWriter()
         self._is_full = False  # the system's shared memory
 
-    def news(self) -> tuple[News, str]:
+    def news(self) -> tuple[Update, str]:
         """Everything since the last call, and the name of the memory of pixels if it is new."""
         setup, now = self._setup, time.monotonic()
         hands = {side: watch.news(now) for side, watch in self._hands.items()}
@@ -113,14 +113,14 @@ class Newsroom:
         profiles, profile = self.profiles, setup.engine.profile  # in this order
         changed, self._profile = profile != self._profile, profile
         device = setup.camera.device
-        return News(
+        return Update(
             hands,
             pixels,
             tuple(setup.engine.drain_events()),
             setup.live.engine.failure if setup.live is not None else None,
             profile if changed else None,
             profiles,
-            {key: _file_news(file) for key, file in self.files.items()},
+            {key: _file_update(file) for key, file in self.files.items()},
             device.unfit if device is not None else None,
         ), memory
 
@@ -138,5 +138,5 @@ class Newsroom:
             return None, ""
 
 
-def _file_news(file: RecordedFile) -> FileNews:
-    return FileNews(file.written, file.broken, file.problem, file.closed, dict(file.figures))
+def _file_update(file: RecordedFile) -> FileUpdate:
+    return FileUpdate(file.written, file.broken, file.problem, file.closed, dict(file.figures))

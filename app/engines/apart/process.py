@@ -79,7 +79,7 @@ class EngineProcess:
     """Opens ``source`` in a process, which may be ``started`` already and have received the source.
     Methods may be called from any thread.
 
-    ``on_estimate`` and ``on_news`` are called in a thread of it; ``on_failure``, there, too, with
+    ``on_estimate`` and ``on_update`` are called in a thread of it; ``on_failure``, there, too, with
     the reason when it fails, and ``on_end`` when the process has ended.
     """
 
@@ -96,7 +96,7 @@ class EngineProcess:
         self.period = FASTEST  # s between two refreshes of the window
         self.ended = threading.Event()
         self.on_estimate: Callable[[Estimated], None] = lambda _: None
-        self.on_news: Callable[[Received], None] = lambda _: None
+        self.on_update: Callable[[Received], None] = lambda _: None
         self.on_failure: Callable[[Notice], None] = lambda _: None
         self.on_end: Callable[[], None] = lambda: None
         atexit.register(self.close)  # or the end of the program would wait for the process
@@ -119,7 +119,7 @@ class EngineProcess:
             except FutureTimeout:
                 progress(*self._progress)
 
-    def begin_news(self) -> None:
+    def begin_updates(self) -> None:
         """Receive news from now on."""
         self._send(Taken(0.0))
 
@@ -241,7 +241,7 @@ class EngineProcess:
     def _take(self, item: object) -> None:
         match item:
             case Received():
-                self.on_news(item)
+                self.on_update(item)
                 self._send(Taken(0.8 * self.period))
             case Answered():
                 self._answer(item)

@@ -24,7 +24,7 @@ from tracker.base.notices import Notice
 from tracker.live.frame_results import MOST_SHOWN
 from tracker.live.journal import EVENTS_KEPT
 from tracker.live.listeners import ListenedHand, Listeners, LiveAccess, local_kinds
-from tracker.live.right_of_way import RightOfWay
+from tracker.live.work_priority import WorkPriority
 from tracker.messages import Event, StereoFrame
 from tracker.vision.colours import ColourProfile
 
@@ -100,7 +100,7 @@ def apart_setup(process: EngineProcess, opened: Opened) -> EngineSetup:
 def _attach(hand: ApartHand, facts: HandFacts, device: ApartGlove | None) -> None:
     """Attach what other packages declare to the hand, here or in the process that tracks."""
     vibrate = device.vibrate if device is not None else None
-    live = LiveAccess(hand.record, hand.telemetry, monotonic, hand.right_of_way, vibrate)
+    live = LiveAccess(hand.record, hand.telemetry, monotonic, hand.work_priority, vibrate)
     hand.listeners.attach(ListenedHand(facts.hand, facts.glove, live), local_kinds())
     hand.listeners.attach_proxies(hand.line_to)
 
@@ -136,14 +136,14 @@ class ApartEngine:
         self._images: dict[float, StereoFrame] = {}
         self._parts = Parts({}, {}, None)
         self._hands: list[ApartHand] = []
-        self.right_of_way = RightOfWay()  # the engine does not compete with this process
+        self.work_priority = WorkPriority()  # the engine does not compete with this process
 
     def begin(self, parts: Parts) -> None:
         """Pass on what arrives from now on."""
         self._parts, self._hands = parts, list(parts.hands.values())
-        self._process.on_estimate, self._process.on_news = self._take_estimate, self._take
+        self._process.on_estimate, self._process.on_update = self._take_estimate, self._take
         self._process.on_failure, self._process.on_end = self._fail, self._end
-        self._process.begin_news()
+        self._process.begin_updates()
 
     # --- what arrives
 
@@ -158,10 +158,10 @@ class ApartEngine:
             image = self._reader.take(news.pixels)
             newest = list(self._images.items())[1 - MOST_SHOWN :]
             self._images = {**dict(newest), image.t: image}
-        for side, hand_news in news.hands.items():
-            self._parts.hands[side].take_news(hand_news, self._images)
-            if hand_news.device is not None and side in self._parts.gloves:
-                self._parts.gloves[side].news = hand_news.device
+        for side, hand_update in news.hands.items():
+            self._parts.hands[side].take_update(hand_update, self._images)
+            if hand_update.device is not None and side in self._parts.gloves:
+                self._parts.gloves[side].news = hand_update.device
         for event in news.events:
             self._events.put(event)
         if news.profile is not None and news.profiles == self._profiles:
@@ -196,14 +196,14 @@ class ApartEngine:
     def start(self) -> None:
         self._process.ask("engine", "start")
 
-    def stop(self, patience: float | None = None) -> None:
+    def stop(self, timeout: float | None = None) -> None:
         """A process that does not stop in time completes its recording in the background."""
         if self._stopped:
             return
         self._stopped = True
-        wait = LONGEST_STOP if patience is None else STOP_WAIT + patience
+        wait = LONGEST_STOP if timeout is None else STOP_WAIT + timeout
         try:
-            self._process.ask("engine", "stop", patience, wait=wait, parallel=True)
+            self._process.ask("engine", "stop", timeout, wait=wait, parallel=True)
         except DeviceError as error:
             self._events.put(Event.of(monotonic(), "error", notice_of(error)))
         for hand in self._parts.hands.values():

@@ -85,7 +85,7 @@ class ReplayEngine:
     def start(self) -> None:
         self._thread.start()
 
-    def stop(self, patience: float | None = None) -> None:
+    def stop(self, timeout: float | None = None) -> None:
         self._thread.stop()
 
     def close(self) -> None:

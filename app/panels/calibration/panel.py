@@ -30,7 +30,7 @@ from app.panels.calibration.wearer_row import WearerRow
 from app.panels.hand_choice import HandChoice
 from app.panels.panel import Panel
 from app.storage.settings import SettingsStore
-from app.viewmodels.calibration import CalibrationCell, CalibrationRow, by_one_camera, camera_time
+from app.viewmodels.calibration import CalibrationCell, CalibrationRow, camera_time, has_one_camera
 from app.viewmodels.status import images_alone
 from app.widgets.elided_label import ElidedLabel
 from app.widgets.measures import APART, NEAR
@@ -224,7 +224,7 @@ class CalibrationPanel(Panel):
         if view.calibration is self.profiles.current.latest and frozen == self._drawn_frozen:
             return  # it changes once a second, and writing all its values takes 10 ms
         self.profiles.current.latest = view.calibration
-        self._alone = by_one_camera(view)
+        self._alone = has_one_camera(view)
         self.wearer.set_segments(view.calibration.segments)
         self._draw()
 

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.viewmodels.names import spoken
+from app.viewmodels.names import display_name
 from app.viewmodels.wearer_profiles import HAND_MM
 from app.widgets.one_line import OneLine
 from app.widgets.question import answer
@@ -174,7 +174,7 @@ class WearerRow(OneLine):
         menu.addAction(self.tr("Everything"), partial(self.reset.emit, None))
         menu.addSeparator()
         for name in segments:
-            menu.addAction(spoken(name), partial(self.reset.emit, [name]))
+            menu.addAction(display_name(name), partial(self.reset.emit, [name]))
 
     def set_available(self, on: bool, guided: bool) -> None:
         """Disable the row if the engine takes no commands. ``guided``: it also supports guided

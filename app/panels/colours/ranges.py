@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 
 from app.viewmodels.colour_tuning import CHANNELS, ColourTuning
 from app.viewmodels.colours import HueRow
-from app.viewmodels.names import spoken
+from app.viewmodels.names import display_name
 from app.widgets.chip import Chip
 from app.widgets.measures import TIGHT
 from app.widgets.range_row import RangeRow
@@ -117,7 +117,7 @@ class ColoursHues(QWidget):
             chip.deleteLater()
         self.chips = []
         for i, name in enumerate(names):
-            button, chip = QRadioButton(spoken(name)), Chip()
+            button, chip = QRadioButton(display_name(name)), Chip()
             chip.setMinimumWidth(self.fontMetrics().horizontalAdvance(LONGEST) + 12)
             self._group.addButton(button, i)
             self.chips.append(chip)

@@ -139,7 +139,7 @@ class ColoursSource(QWidget):
         self.stored.failed.connect(self.failed)
         self.stored.removed.connect(self.removed)
         self._view: Snapshot | None = None
-        self._kept: StoredImage | None = None
+        self._stored: StoredImage | None = None
         self.choice = QComboBox()
         self.choice.setAccessibleName(self.tr("Image used for tuning"))
         self.choice.setMinimumContentsLength(12)
@@ -152,10 +152,10 @@ class ColoursSource(QWidget):
         self.freeze = QCheckBox(self.tr("Freeze"))
         self.freeze.setToolTip(self.tr("Freeze the image; tracking continues"))
         self.freeze.toggled.connect(self.changed)
-        self.keep_button = self._button(self.tr("Store"), self.tr("Store this image for later"))
-        self.keep_button.clicked.connect(self.keep)
+        self.store_button = self._button(self.tr("Store"), self.tr("Store this image for later"))
+        self.store_button.clicked.connect(self.store_image)
         row = FlowLayout(self, spacing=TIGHT)
-        for widget in (self.choice, self.side, self.freeze, self.keep_button, self._menu_button()):
+        for widget in (self.choice, self.side, self.freeze, self.store_button, self._menu_button()):
             row.addWidget(widget)
 
     @staticmethod
@@ -191,7 +191,7 @@ class ColoursSource(QWidget):
 
     @property
     def is_live(self) -> bool:
-        return self._kept is None
+        return self._stored is None
 
     @property
     def is_frozen(self) -> bool:
@@ -201,12 +201,12 @@ class ColoursSource(QWidget):
     @property
     def view(self) -> Snapshot | None:
         """The snapshot of the live or frozen image; None for a stored one."""
-        return self._view if self._kept is None else None
+        return self._view if self._stored is None else None
 
     def pair(self) -> tuple[Image | None, Image | None]:
         """The images of both cameras."""
-        if self._kept is not None:
-            return self._kept.left, self._kept.right
+        if self._stored is not None:
+            return self._stored.left, self._stored.right
         if self._view is None or self._view.frame is None:
             return None, None
         return self._view.frame.left, self._view.frame.right
@@ -240,10 +240,10 @@ class ColoursSource(QWidget):
             self.stored.load(self.choice.itemText(index), self._show)
 
     def _show(self, kept: StoredImage | None) -> None:
-        self._kept = kept
+        self._stored = kept
         self.changed.emit()
 
-    def keep(self) -> None:
+    def store_image(self) -> None:
         """Store the images that are shown in the camera's folder."""
         self.stored.store(*self.pair())
 

@@ -155,7 +155,7 @@ class GraphsPanel(Panel):
         self.stack.changed.connect(self._graphs_changed)
         self.stack.edited.connect(self._remember)
         self.stack.selected.connect(self.tree.tick)
-        self.stack.sought.connect(self.data.seek)
+        self.stack.seek_requested.connect(self.data.seek)
         self.data.listed.connect(self._show_signals)
         self.data.opened.connect(self._opened)
         for part in (self.stack, self.data):

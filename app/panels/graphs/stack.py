@@ -17,13 +17,13 @@ from app.widgets.measures import TIGHT
 class GraphStack(QWidget):
     """``changed``: other graphs or signals are shown. ``edited``: the user changed them.
     ``selected``: the signals (keys) of the selected graph. ``message``: the result of an action.
-    ``sought``: a click at an instant of a recording (s)."""
+    ``seek_requested``: a click at an instant of a recording (s)."""
 
     changed = Signal()
     edited = Signal()
     selected = Signal(tuple)
     message = Signal(str)
-    sought = Signal(float)
+    seek_requested = Signal(float)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -88,7 +88,7 @@ class GraphStack(QWidget):
         plot.dropped.connect(lambda keys: self.add_signals(plot, keys))
         plot.plot.pointed.connect(lambda t: self._point(plot, t))
         plot.plot.left.connect(lambda: self._point(plot, None))
-        plot.plot.sought.connect(self.sought)
+        plot.plot.seek_requested.connect(self.seek_requested)
         if self._colours is not None:
             plot.plot.set_colours(*self._colours)
         plot.set_replay(self._is_replay)

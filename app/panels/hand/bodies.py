@@ -8,8 +8,8 @@ from app.engines.engine import EngineSetup
 from app.viewmodels.hand_scene import (
     AXIS,
     CELL,
-    MARKER_LATELY,
     MARKER_NOW,
+    MARKER_RECENT,
     TRAIL_POINTS,
     HandGround,
     HandScene,
@@ -184,7 +184,7 @@ class HandBodies:
         """Show the parts of the patches that ``state`` (M,) of the markers asks for."""
         if self._marker_state is None or (state != self._marker_state).any():
             self._marker_state = state.copy()
-            self._markers.choose(skin.patch_faces(state == MARKER_NOW, state == MARKER_LATELY))
+            self._markers.choose(skin.patch_faces(state == MARKER_NOW, state == MARKER_RECENT))
 
     def _update_axes(self, scene: HandScene, wanted: bool) -> None:
         """Show the frame B of each segment at its joint."""

@@ -13,7 +13,7 @@ from app.platform.graphics import GraphicsQuery, is_card
 from app.platform.tasks import JobProgress, TaskOwner
 from app.storage.settings import SettingsStore
 from app.viewmodels.hand_scene import ShownParts
-from app.viewmodels.names import engine_name, spoken
+from app.viewmodels.names import display_name, engine_name
 from app.widgets.one_line import OneLine
 from app.widgets.view3d.view_3d import View3D
 from tracker.engine.kinds import engine_kinds
@@ -145,7 +145,7 @@ class HandControls(OneLine):
         self.trail.clear()
         self.trail.addItem(self.tr("No trail"), "")
         for name in tips:
-            self.trail.addItem(self.tr("Trail: {}").format(spoken(name)), name)
+            self.trail.addItem(self.tr("Trail: {}").format(display_name(name)), name)
         self.trail.setCurrentIndex(max(0, self.trail.findData(chosen)))
         for i in range(self.reference.count()):
             able = self.reference.itemData(i) in (NO_REFERENCE, OTHER) or engines

@@ -144,7 +144,7 @@ class Comparing(QObject):
         self._second = takes.second.path.stem
         self._move(self._takes.takes.by_clock or 0.0)
         dialog.moved.connect(self._move)
-        dialog.sought.connect(self._seek)
+        dialog.seek_requested.connect(self._seek)
         dialog.show()
         if self._player is None or self._player.path != takes.first.path:
             self.replay.emit(takes.first.path)

@@ -60,10 +60,10 @@ class _Cell(QTableWidgetItem):
 
 
 class GapPage(QWidget):
-    """``sought``: a clicked position (s). ``fill_asked``: fill the selected gaps.
+    """``seek_requested``: a clicked position (s). ``fill_asked``: fill the selected gaps.
     ``limit_changed``: list the gaps again. ``shown_changed``: the intervals for the timeline."""
 
-    sought = Signal(float)
+    seek_requested = Signal(float)
     fill_asked = Signal()
     limit_changed = Signal()
     shown_changed = Signal(object)  # list[Span]
@@ -223,7 +223,7 @@ class GapPage(QWidget):
     def _seek(self, row: int) -> None:
         item = self.table.item(row, START)
         if item is not None:
-            self.sought.emit(float(item.data(SORTED)))
+            self.seek_requested.emit(float(item.data(SORTED)))
 
     @property
     def selected(self) -> list[int]:
@@ -264,7 +264,7 @@ class Gaps(QObject):
         self._reading = LatestJob(self.tr("Finding gaps"), self)
         page.limit_changed.connect(self._read)
         page.fill_asked.connect(self.fill)
-        page.sought.connect(self._seek)
+        page.seek_requested.connect(self._seek)
         page.shown_changed.connect(lambda _shown: self.counted.emit(page.table.rowCount()))
 
     def set_player(self, player: Player | None) -> None:

@@ -283,7 +283,7 @@ class LibraryPanel(Panel):
 
 # ---- reads the folder of recorded sessions in the background, and watches it
 
-QUIET_MS = 300  # without changes after which a folder is read again
+SETTLE_MS = 300  # without changes after which a folder is read again
 
 
 class LibraryScan(QObject):
@@ -304,7 +304,7 @@ class LibraryScan(QObject):
         self._asked = 0
         self._looking: RunningJob | None = None
         self._watcher = QFileSystemWatcher(self)
-        self._quiet = QTimer(self, singleShot=True, interval=QUIET_MS)
+        self._quiet = QTimer(self, singleShot=True, interval=SETTLE_MS)
         self._watcher.directoryChanged.connect(lambda _path: self._quiet.start())
         self._quiet.timeout.connect(self.stale)
 
@@ -353,11 +353,11 @@ class LibraryScan(QObject):
         self._looking = self._tasks.run(
             self.tr("Reading session details"),
             job,
-            ended=lambda: self._tell(rows),
-            progressed=lambda _share, _name: self._tell(rows),
+            ended=lambda: self._warn_of(rows),
+            progressed=lambda _share, _name: self._warn_of(rows),
         )
 
-    def _tell(self, rows: list[SessionRow]) -> None:
+    def _warn_of(self, rows: list[SessionRow]) -> None:
         for row in rows:
             details = self._details.get((row.path, row.stamp))
             if details is not None:

@@ -32,7 +32,7 @@ class SessionTable(QTableWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(0, len(WIDTHS), parent)
         self._rows: list[SessionRow] = []
-        self._coming: set[Path] = set()  # to be selected once they are listed
+        self._pending_selection: set[Path] = set()  # to be selected once they are listed
         self._no_image = QIcon(no_image())
         self.setHorizontalHeaderLabels(
             [
@@ -84,8 +84,8 @@ class SessionTable(QTableWidget):
 
     def _show_or_hide(self, i: int) -> None:
         quality = self.item(i, QUALITY)
-        held = self._rows[i].holds(self._wanted, quality.text() if quality else "")
-        self.setRowHidden(i, not held)
+        is_match = self._rows[i].holds(self._wanted, quality.text() if quality else "")
+        self.setRowHidden(i, not is_match)
 
     def show_rows(self, rows: Sequence[SessionRow], known: dict[Path, Details]) -> None:
         """``known``: details found earlier. The selection is preserved where possible.
@@ -94,7 +94,7 @@ class SessionTable(QTableWidget):
         a session that the user has not selected. The first listing selects the newest.
         """
         first = not self._rows
-        before = self._coming or {row.path for row in self.selected()}
+        before = self._pending_selection or {row.path for row in self.selected()}
         self._rows = list(rows)
         self.clearSelection()
         self.setRowCount(len(rows))
@@ -111,13 +111,13 @@ class SessionTable(QTableWidget):
                 self.show_details(row.path, known[row.path])
             self._show_or_hide(i)
         again = [i for i, row in enumerate(rows) if row.path in before]
-        called = bool(self._coming)
+        is_requested = bool(self._pending_selection)
         if again:
-            self._coming = set()
+            self._pending_selection = set()
         seen = [i for i in range(len(rows)) if not self.isRowHidden(i)]
         self._select(again if before or not first else seen[:1])
-        if called and again:
-            self._bring_in_sight(again[0])
+        if is_requested and again:
+            self._scroll_to(again[0])
 
     def choose(self, path: Path) -> None:
         """Select this session, now or when `show_rows` lists it."""
@@ -126,10 +126,10 @@ class SessionTable(QTableWidget):
     def choose_all(self, paths: Collection[Path]) -> None:
         """Select these sessions, now or when `show_rows` lists them."""
         rows = [i for i, row in enumerate(self._rows) if row.path in paths]
-        self._coming = set() if len(rows) == len(paths) else set(paths)
-        if rows and not self._coming:
+        self._pending_selection = set() if len(rows) == len(paths) else set(paths)
+        if rows and not self._pending_selection:
             self._select(rows)
-            self._bring_in_sight(rows[0])
+            self._scroll_to(rows[0])
 
     def _select(self, rows: Sequence[int]) -> None:
         """Select all of them; `selectRow` would select only the last one."""
@@ -142,7 +142,7 @@ class SessionTable(QTableWidget):
         if rows:
             model.setCurrentIndex(self.model().index(rows[0], 0), flags.NoUpdate)
 
-    def _bring_in_sight(self, row: int) -> None:
+    def _scroll_to(self, row: int) -> None:
         """Scroll to a session that was requested; otherwise the newest stays on top."""
         self.scrollTo(self.model().index(row, 0))
 

@@ -54,9 +54,8 @@ class TrackDialog(QDialog):
     def _about(self) -> QLabel:
         about = QLabel(
             self.tr(
-                "Tracks the recorded sensor data again and saves the result as a new "
-                "session in the "
-                "same folder. Both sessions are then shown together and compared."
+                "Tracks the recorded sensor data again and saves the result as a new session in "
+                "the same folder. Both sessions are then shown together and compared."
             )
         )
         about.setWordWrap(True)

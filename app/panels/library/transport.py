@@ -37,7 +37,7 @@ class TransportBar(QWidget):
         self._player: Player | None = None
         self.timeline = TimelineBar()
         self.timeline.setAccessibleName(self.tr("Position in the session"))
-        self.timeline.sought.connect(self.seek)
+        self.timeline.seek_requested.connect(self.seek)
         self.timeline.stepped.connect(self.step)
         self.timeline.range_changed.connect(self.set_range)
         self._lines = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.platform.tasks import JobProgress, LatestJob
-from app.viewmodels.names import spoken
+from app.viewmodels.names import display_name
 from app.viewmodels.states import GOOD, SKY, WARN
 from app.viewmodels.two_recordings import Image, RecordingImages, TwoRecordings, figures_text
 from app.widgets.image_view import ImageView
@@ -77,10 +77,10 @@ class ImagePairView(QSplitter):
 
 
 class TwoRecordingsDialog(QDialog):
-    """Not modal. ``moved``: the new offset; ``sought``: a position in the first recording, s."""
+    """Not modal. ``moved``: the new offset; ``seek_requested``: s of the first recording."""
 
     moved = Signal(float)
-    sought = Signal(float)
+    seek_requested = Signal(float)
 
     def __init__(self, takes: TwoRecordings, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -124,7 +124,7 @@ class TwoRecordingsDialog(QDialog):
         self.begin.sigPositionChanged.connect(lambda line: self.set_offset(float(line.value())))
         self.cursor_line = pg.InfiniteLine(angle=90, movable=True, pen=pg.mkPen(ink))
         self.cursor_line.sigPositionChanged.connect(
-            lambda line: self.sought.emit(float(line.value()))
+            lambda line: self.seek_requested.emit(float(line.value()))
         )
         for line in (self.begin, self.cursor_line):
             self.plot.addItem(line, ignoreBounds=True)
@@ -133,7 +133,7 @@ class TwoRecordingsDialog(QDialog):
         self.joint = QComboBox()
         self.joint.setAccessibleName(self.tr("Joint angle"))
         for name in self.takes.names:
-            self.joint.addItem(spoken(name), name)
+            self.joint.addItem(display_name(name), name)
         self.joint.currentIndexChanged.connect(lambda _i: self._show())
         self.offset = QDoubleSpinBox()
         self.offset.setRange(-LONGEST, LONGEST)
@@ -154,13 +154,13 @@ class TwoRecordingsDialog(QDialog):
             self.tr("Align the recordings by the best match of their joint angles")
         )
         self.movement_button.clicked.connect(self._by_movement)
-        self.keep_button = QPushButton(self.tr("Keep"))
-        self.keep_button.setToolTip(self.tr("Save this alignment; compare --align uses it, too"))
-        self.keep_button.clicked.connect(self._keep)
+        self.store_button = QPushButton(self.tr("Keep"))
+        self.store_button.setToolTip(self.tr("Save this alignment; compare --align uses it, too"))
+        self.store_button.clicked.connect(self._keep)
         row = QHBoxLayout()
         row.addWidget(self.joint, 1)
         row.addWidget(QLabel(self.tr("Second recording starts at")))
-        buttons = self.clock_button, self.movement_button, self.starts_button, self.keep_button
+        buttons = self.clock_button, self.movement_button, self.starts_button, self.store_button
         for widget in (self.offset, *buttons):
             row.addWidget(widget)
         return row
@@ -222,4 +222,4 @@ class TwoRecordingsDialog(QDialog):
         ):
             curve.setData(x, np.rad2deg(y), connect="finite")
         found = self.takes.figures(name, self._offset)
-        self.figures.setText(f"{spoken(name)}: {figures_text(found)}")
+        self.figures.setText(f"{display_name(name)}: {figures_text(found)}")

@@ -35,7 +35,7 @@ from app.panels.panel import MessageLabel, Panel, PanelColours
 from app.platform.tasks import LatestJob
 from app.storage.settings import SettingsStore
 from app.viewmodels.motion import MotionModel, MotionRow, shown_name
-from app.viewmodels.names import spoken
+from app.viewmodels.names import display_name
 from app.viewmodels.states import GREY, VALIDITY
 from app.widgets.curve_plot import CurvePlot, span_of
 from app.widgets.measures import NEAR
@@ -95,7 +95,7 @@ class MotionPanel(Panel):
         row.copy.clicked.connect(self._copy)
         row.save.clicked.connect(self._ask_file)
         self.table.itemSelectionChanged.connect(self._choose_curves)
-        self.plot.sought.connect(self._seek)
+        self.plot.seek_requested.connect(self._seek)
         self.host.opened.connect(self._open)
         self.host.hand_changed.connect(self._open)
         self.host.closed.connect(self._clear)
@@ -325,7 +325,7 @@ class MotionTable(QTableWidget):
 
 
 class MotionPlot(CurvePlot):
-    """``sought``: a click at an instant (s from the recording's first image)."""
+    """``seek_requested``: a click at an instant (s from the recording's first image)."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent=parent)
@@ -376,7 +376,7 @@ class MotionControls(OneLine):
         for box in self.ends:
             box.clear()
             for name in names:
-                box.addItem(spoken(name), name)
+                box.addItem(display_name(name), name)
         self.ends[1].setCurrentIndex(self.ends[1].count() - 1)
 
     @property

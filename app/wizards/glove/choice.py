@@ -233,7 +233,7 @@ def _remarks(reports: list[PortReport], chosen: str) -> list[str]:
     if not reports:
         return [tr("No other glove was found on any USB port.")]
     advice = [latency_advice(r.path) for r in reports if r.is_glove]
-    found = (*(r.trouble for r in reports), *advice)
+    found = (*(r.problem for r in reports), *advice)
     return [notice_text(what) for what in found if what is not None]
 
 

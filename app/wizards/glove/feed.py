@@ -40,7 +40,7 @@ class GloveFeed(Protocol):
     """The interface to a glove during set-up."""
 
     @property
-    def trouble(self) -> str:
+    def problem(self) -> str:
         """Why no samples arrive, as text."""
 
     @property
@@ -64,7 +64,7 @@ class SessionFeed:
         self._host = host
 
     @property
-    def trouble(self) -> str:
+    def problem(self) -> str:
         return "" if self._host.setup is not None else tr("The session was closed.")
 
     @property
@@ -99,7 +99,7 @@ class PortFeed:
         self._samples: deque[ImuSample] = deque()
         self._lock = threading.Lock()
         self._stopping = threading.Event()
-        self.trouble = ""
+        self.problem = ""
         self._thread = threading.Thread(target=self._run, name="glovetrack-set-up", daemon=True)
         self._thread.start()
 
@@ -126,12 +126,12 @@ class PortFeed:
             for item in self._link.poll(WAIT):
                 if isinstance(item, Event):
                     _log.info("The glove's link: %s", item.code)
-                    self.trouble = event_text(item)
+                    self.problem = event_text(item)
                 else:
                     self._keep(item)
 
     def _keep(self, sample: ImuSample) -> None:
-        self.trouble = ""
+        self.problem = ""
         with self._lock:
             self._samples.append(sample)
             while sample.t - self._samples[0].t > KEPT:

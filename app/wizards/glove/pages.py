@@ -28,7 +28,7 @@ from app.viewmodels.glove_setup import (
     still_rows,
     wiggle_rows,
 )
-from app.viewmodels.names import spoken
+from app.viewmodels.names import display_name
 from tracker.calibration.still import StillPose
 from tracker.calibration.wiggle import WiggleTest
 from tracker.glove.model import GloveModel
@@ -174,9 +174,9 @@ class WigglePage(QWidget):
             bar = QProgressBar()
             bar.setTextVisible(False)
             bar.setMaximumHeight(10)
-            bar.setAccessibleName(spoken(name))
+            bar.setAccessibleName(display_name(name))
             self._bars.append(bar)
-            self._grid.addWidget(QLabel(spoken(name)), i, 0)
+            self._grid.addWidget(QLabel(display_name(name)), i, 0)
             self._grid.addWidget(bar, i, 1)
         self.words.setText(self.tr("Press Start, then move each part as asked."))
         self.table.show_rows([])
@@ -214,6 +214,6 @@ class WigglePage(QWidget):
         shares, rows = motion_rows(recent)
         for bar, share in zip(self._bars, shares, strict=False):
             bar.setValue(round(100 * float(share)))
-        names = [spoken(self._models[1].imu_names[i]) for i in rows]
+        names = [display_name(self._models[1].imu_names[i]) for i in rows]
         moves = ", ".join(names) or self.tr("nothing")
         self.now.setText(self.tr("Moving: {}").format(moves))

@@ -219,8 +219,8 @@ class GloveSetup(QDialog):
         """Show which glove it is, and whether it sends data or why not."""
         if self._feed is None:
             return ""
-        if self._feed.trouble:
-            return self._feed.trouble
+        if self._feed.problem:
+            return self._feed.problem
         name = self.choice.glove_name(self._feed.glove_id)
         if not recent:
             return self.tr("{}: waiting for packets…").format(name)

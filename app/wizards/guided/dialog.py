@@ -44,13 +44,13 @@ class GuidedResultPage(OutcomePage):
         super().__init__(parent)
         names = (self.tr("Measured"), self.tr("Before"), self.tr("After"), self.tr("Change"))
         self.name_columns(self.tr("Result"), names, wide=0)
-        self.keep_button = QPushButton(self.tr("&Keep"))
-        self.keep_button.setDefault(True)
-        self.keep_button.clicked.connect(self.keep)
+        self.store_button = QPushButton(self.tr("&Keep"))
+        self.store_button.setDefault(True)
+        self.store_button.clicked.connect(self.keep)
         self.undo_button = QPushButton(self.tr("&Undo"))
         self.undo_button.setToolTip(self.tr("Discard the result of these poses"))
         self.undo_button.clicked.connect(self.undo)
-        self.lay_out(self.undo_button, self.keep_button)
+        self.lay_out(self.undo_button, self.store_button)
 
     def show_waiting(self) -> None:
         """Show that the engine has not answered yet."""
@@ -67,7 +67,7 @@ class GuidedResultPage(OutcomePage):
         heading = self.tr("{} of {} poses held").format(held, asked)
         self.tell(heading, "\n".join(learned.words) or nothing, rows)
         self.enable(True)
-        self.keep_button.setFocus()
+        self.store_button.setFocus()
 
     def show_nothing(self, words: str) -> None:
         """Show that there is no result."""

@@ -72,9 +72,9 @@ class BoardPage(QWidget):
         self.preview = BoardPreview()
         self.paper = QLabel()
         self.paper.setProperty("role", "faint")
-        self.trouble = QLabel()
-        self.trouble.setProperty("role", "warning")
-        self.trouble.setWordWrap(True)
+        self.problem = QLabel()
+        self.problem.setProperty("role", "warning")
+        self.problem.setWordWrap(True)
         self._lay_out()
         self.set_choices(choices)
         for signal in (
@@ -98,7 +98,7 @@ class BoardPage(QWidget):
         self.save.clicked.connect(self._ask_save)
         left = QVBoxLayout()
         left.addLayout(form)
-        left.addWidget(self.trouble)
+        left.addWidget(self.problem)
         left.addWidget(self.save)
         left.addWidget(self.paper)
         left.addStretch(1)
@@ -153,12 +153,12 @@ class BoardPage(QWidget):
                 self.square_mm.value() / 1000,
             )
         except ConfigError as error:
-            self.trouble.setText(error_text(error))
+            self.problem.setText(error_text(error))
             return None
 
     def _show(self) -> None:
         spec = self.spec()
-        self.trouble.setVisible(spec is None)
+        self.problem.setVisible(spec is None)
         self.save.setEnabled(spec is not None)
         self.preview.show_board(spec)
         if spec is not None:
@@ -187,8 +187,8 @@ class BoardPage(QWidget):
         image.setDotsPerMeterY(round(per_metre))
         if image.save(str(path)):
             return True
-        self.trouble.setText(self.tr("{} cannot be written.").format(path))
-        self.trouble.show()
+        self.problem.setText(self.tr("{} cannot be written.").format(path))
+        self.problem.show()
         return False
 
 

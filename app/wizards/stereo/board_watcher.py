@@ -49,7 +49,7 @@ class BoardWatcher:
         self._errors: dict[StereoView, float] = {}
         self._number = 0
         self.live = True
-        self.trouble = ""
+        self.problem = ""
         self.ended = False
         self._thread = threading.Thread(target=self._run, name="glovetrack-board", daemon=True)
         self._thread.start()
@@ -90,14 +90,14 @@ class BoardWatcher:
             source.open()
         except GlovetrackError as error:
             _log.warning("The camera cannot be opened: %s", error)
-            self.trouble, self.ended = error_text(error), True
+            self.problem, self.ended = error_text(error), True
             return
         self.live = source.live
         try:
             self._read(source)
         except GlovetrackError as error:
             _log.warning("Reading the camera has ended: %s", error)
-            self.trouble = error_text(error)
+            self.problem = error_text(error)
         finally:
             source.close()
             self.ended = True

@@ -30,10 +30,10 @@ from app.viewmodels.stereo import (
     check_figures,
     check_rows,
     corner_shapes,
+    exposure_text,
     meters,
     rig_figures,
     row_lines,
-    say,
     view_name,
 )
 from app.widgets.image_shapes import Shape
@@ -127,11 +127,11 @@ class CollectPage(QWidget):
         column.addWidget(self.remove, 0, Qt.AlignmentFlag.AlignRight)
         return column
 
-    def show_seen(self, seen: BoardSeen | None, views: Sequence[StereoView], trouble: str) -> None:
+    def show_seen(self, seen: BoardSeen | None, views: Sequence[StereoView], problem: str) -> None:
         """Show the latest exposure and the collected views."""
         if seen is None:
-            self.images.wait(trouble or self.tr("Waiting for the camera"))
-            self.words.setText(trouble)
+            self.images.wait(problem or self.tr("Waiting for the camera"))
+            self.words.setText(problem)
             return
         if self._shown == (seen, len(views)):
             return
@@ -140,7 +140,7 @@ class CollectPage(QWidget):
         found = (seen.look.left, seen.look.right)
         self.images.show_pair(seen.pair, [corner_shapes(corners, good) for corners in found])
         cover = coverage(views, sizes_of(seen.pair))
-        self.words.setText(trouble or say(seen.answer, seen.look.trouble, cover))
+        self.words.setText(problem or exposure_text(seen.answer, seen.look.problem, cover))
         self.map.show_counts(cover.maps)
         self._show_meters(meters(cover))
 
@@ -219,10 +219,10 @@ class CheckPage(QWidget):
         off = self.tr("Corner error") if one_camera else self.tr("Row difference")
         self.table.setHorizontalHeaderLabels([self.tr("View"), off])
 
-    def show_seen(self, seen: BoardSeen | None, views: Sequence[StereoView], trouble: str) -> None:
+    def show_seen(self, seen: BoardSeen | None, views: Sequence[StereoView], problem: str) -> None:
         """Show the latest exposure, rectified, and the new views so far."""
         if seen is None:
-            self.images.wait(trouble or self.tr("Show the board again."))
+            self.images.wait(problem or self.tr("Show the board again."))
         elif seen is not self._seen:
             self._seen = seen
             self._show_images(seen)

@@ -179,10 +179,10 @@ class StereoWizard(QDialog):
             return
         page, views = self.pages.currentIndex(), self.watching.views()
         if page == VIEWS:
-            self.collect.show_seen(watcher.latest(), views, watcher.trouble)
+            self.collect.show_seen(watcher.latest(), views, watcher.problem)
             self.collect.show_list(views, watcher.error_px)
         elif page == CHECK and self._fresh is None:
-            self.check.show_seen(watcher.latest(), views, watcher.trouble)
+            self.check.show_seen(watcher.latest(), views, watcher.problem)
         self._enable()
 
     # --- views
@@ -278,8 +278,8 @@ class StereoWizard(QDialog):
         try:
             rig = load_rig(path, form)
         except GlovetrackError as error:
-            self.board.trouble.setText(error_text(error))
-            self.board.trouble.show()
+            self.board.problem.setText(error_text(error))
+            self.board.problem.show()
             return False
         self._rig, self._fresh = rig, None
         self._imported, self._file = path.stem, path if form is None else None

@@ -245,7 +245,7 @@ class SixAxisArm:
         text = (folder("arms") / "six-axis.xml").read_text("utf-8")
         self._model = mujoco.MjModel.from_xml_string(text)
         self._data = mujoco.MjData(self._model)
-        self._ghost = mujoco.MjData(self._model)  # for the inverse kinematics
+        self._ik_data = mujoco.MjData(self._model)  # for the inverse kinematics
         self._columns = [int(self._model.joint(name).dofadr[0]) for name in AXES]
         self._rows = [int(self._model.joint(name).qposadr[0]) for name in AXES]
         self._limits = np.array([self._model.joint(name).range for name in AXES])
@@ -300,7 +300,7 @@ class SixAxisArm:
             here = self.pose_of(q)
             turn = so3.log(pose.R @ here.R.T) / RAD_PER_M
             error = np.concatenate([pose.p - here.p, turn])
-            mujoco.mj_jacSite(self._model, self._ghost, J_p, J_r, self._tool)
+            mujoco.mj_jacSite(self._model, self._ik_data, J_p, J_r, self._tool)
             J = np.concatenate([J_p, J_r / RAD_PER_M])[:, self._columns]
             damped = J @ J.T + DAMPING**2 * np.eye(6)
             q = np.clip(q + J.T @ np.linalg.solve(damped, error), *self._limits.T)
@@ -326,12 +326,12 @@ class SixAxisArm:
 
     def pose_of(self, angles: Array) -> ToolPose:
         """Pose of the gripper for other angles (6,) rad."""
-        self._ghost.qpos[:] = self._data.qpos
-        self._ghost.qpos[self._rows] = angles
-        mujoco.mj_kinematics(self._model, self._ghost)
-        mujoco.mj_comPos(self._model, self._ghost)
-        R = np.array(self._ghost.site_xmat[self._tool]).reshape(3, 3)
-        return ToolPose(R, np.array(self._ghost.site_xpos[self._tool]))
+        self._ik_data.qpos[:] = self._data.qpos
+        self._ik_data.qpos[self._rows] = angles
+        mujoco.mj_kinematics(self._model, self._ik_data)
+        mujoco.mj_comPos(self._model, self._ik_data)
+        R = np.array(self._ik_data.site_xmat[self._tool]).reshape(3, 3)
+        return ToolPose(R, np.array(self._ik_data.site_xpos[self._tool]))
 
     def parts(self) -> list[Part]:
         """All solids except the floor."""

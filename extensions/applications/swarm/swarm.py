@@ -146,9 +146,9 @@ class Swarm:
             touched = pushed[group.rows][pushed[group.rows].any(axis=1)]
             if len(touched):
                 group.middle = group.middle + touched.mean(axis=0)
-        self._tell_nudge(bool(pushed.any()), events)
+        self._report_nudge(bool(pushed.any()), events)
 
-    def _tell_nudge(self, now: bool, events: list[Happening]) -> None:
+    def _report_nudge(self, now: bool, events: list[Happening]) -> None:
         if now and not self._nudging:
             events.append(Happening("nudge"))
         self._nudging = now
@@ -196,7 +196,7 @@ class Swarm:
         inside = self._at((middle + tip) / 2, slack=0.8)
         if inside is not None:
             self._cut = inside
-            self._tell_wall(events)
+            self._report_wall(events)
         elif self._cut is not None:
             self._finish_palm(events, palm)
         else:
@@ -204,12 +204,12 @@ class Swarm:
 
     def _finish_palm(self, events: list[Happening], palm: tuple[Array, Array] | None) -> None:
         """Finish the wall, or split the group."""
-        self._tell_wall(events)
+        self._report_wall(events)
         group, self._cut = self._cut, None
         if group is not None and palm is not None and len(self._groups) < MOST_GROUPS:
             self._split(group, palm[0][:, 2], events)
 
-    def _tell_wall(self, events: list[Happening]) -> None:
+    def _report_wall(self, events: list[Happening]) -> None:
         area = self._walls.finish()
         if area > 0:
             walls = len(self._walls.strips)

@@ -49,7 +49,7 @@ class VehicleSink:
     def take(self, commands: Sequence[Command], t: float) -> None:
         for command in commands:
             if isinstance(command, VehicleCommand):
-                self._hear()
+                self._receive()
                 if self._is_due(t):
                     self._send(command, t)
 
@@ -92,7 +92,7 @@ class VehicleSink:
         except (BlockingIOError, ConnectionRefusedError):
             return
 
-    def _hear(self) -> None:
+    def _receive(self) -> None:
         by_port: dict[int, list[bytes]] = {}
         for _ in range(MOST_RECEIVED if self._socket is not None else 0):
             assert self._socket is not None

@@ -90,7 +90,7 @@ class Browser:
         self.ask("Page.enable")
         self._number += 1
         self._send("Page.navigate", url=url)
-        self._hear(lambda said: said.get("method") == "Page.loadEventFired")
+        self._receive(lambda said: said.get("method") == "Page.loadEventFired")
 
     def _address(self) -> str:
         """The address is written to standard error; the rest of that output is discarded."""
@@ -104,7 +104,7 @@ class Browser:
     def ask(self, method: str, **params: Any) -> dict[str, Any]:
         self._number += 1
         self._send(method, **params)
-        answer = self._hear(lambda said: said.get("id") == self._number)
+        answer = self._receive(lambda said: said.get("id") == self._number)
         assert "error" not in answer, answer
         return dict(answer["result"])
 
@@ -112,7 +112,7 @@ class Browser:
         said: dict[str, Any] = {"id": self._number, "method": method, "params": params}
         self._link.send(json.dumps(said | ({"sessionId": self._page} if self._page else {})))
 
-    def _hear(self, wanted: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:
+    def _receive(self, wanted: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:
         """The next message that is wanted."""
         while True:
             said = json.loads(self._link.recv(60))

@@ -33,8 +33,8 @@ from tests.notices import raises
 from tracker.base.clock import monotonic
 from tracker.base.errors import ConfigError
 from tracker.live.listeners import ListenedHand, LiveAccess
-from tracker.live.right_of_way import RightOfWay
 from tracker.live.telemetry import Telemetry
+from tracker.live.work_priority import WorkPriority
 from tracker.messages import Event
 
 __all__ = ["connect"]  # a fixture
@@ -96,7 +96,7 @@ class TouchedEngine(Subscribed):
         self.motors = Motors()
         hand, glove, _ = models()
         live = LiveAccess(
-            self.motors.events.append, Telemetry(), monotonic, RightOfWay(), self.motors.vibrate
+            self.motors.events.append, Telemetry(), monotonic, WorkPriority(), self.motors.vibrate
         )
         made = LISTENER.make(ListenedHand(hand, glove, live))
         assert isinstance(made, LiveApplication)

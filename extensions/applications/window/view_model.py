@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from app.engines.engine import EngineSetup
-from app.viewmodels.names import spoken
+from app.viewmodels.names import display_name
 from app.words import error_text, local, tr
 from extensions.applications.drawing import Drawing
 from extensions.applications.live import stage_of
@@ -247,7 +247,7 @@ def _touch_results(made: ApplicationProgress) -> list[str]:
     out = []
     if made.count("touch"):
         last = made.last["touch"]
-        finger, depth = spoken(str(last["tip"])), float(last["depth_mm"])
+        finger, depth = display_name(str(last["tip"])), float(last["depth_mm"])
         out.append(tr("Touches: {}").format(made.count("touch")))
         out.append(tr("last: {}, {:.1f} mm deep").format(finger, local(depth)))
         now = made.count("touch") - made.count("release")

@@ -28,7 +28,7 @@ from tracker.messages import (
 )
 from tracker.sensors.camera import CameraParams, StereoCamera
 from tracker.sensors.glove_link import GloveLink
-from tracker.sensors.image_watch import SilenceWatch
+from tracker.sensors.image_watch import StallWatch
 from tracker.sensors.link_params import LinkState
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
@@ -68,7 +68,7 @@ class DrillParams:
     doubt: float = 3.0  # if it also exceeds this many of its standard deviations
     silent_for: float = 0.25  # longest time for which a wrong keypoint may be unreported
     noticed: float = 0.6  # shorter faults without a wrong keypoint need not be reported
-    patience: float = 5.0  # longest wait for tracking
+    timeout: float = 5.0  # longest wait for tracking
 
 
 @dataclass(eq=False)
@@ -128,7 +128,7 @@ class Bench:
         names = list(self.pipeline.keypoint_names)
         self._rows = np.array([names.index(k) for k in MARKED_KEYPOINTS])
         self._next_image = 1 / fps
-        self._silence = SilenceWatch()
+        self._stalls = StallWatch()
         self._load = LoadWatch()
         self._rng = np.random.default_rng(seed)
         self._wake: dict[str, float] = {}  # s at which a starved thread runs next, by device
@@ -198,7 +198,7 @@ class Bench:
         self.camera.t = self._next_image
         self._next_image += 1 / self.camera.fps
         frame = self.images.read(0.0) if self.camera.gives else None
-        watch, now = self._silence, self.now
+        watch, now = self._stalls, self.now
         found = watch.look(now) if frame is None else watch.received(now)
         self._notices += [found] if found is not None else []
         if frame is not None:
@@ -300,12 +300,12 @@ def _one_fault(
     bench.run(lambda: False, float(rng.uniform(p.rest_shortest, p.rest_longest)))
     report.notices.update(n.code for n in bench.drain_notices())
     losses = bench.losses()
-    watch = _LieDetector(bench, p)
+    watch = _UnreportedErrors(bench, p)
     lasting = float(rng.uniform(p.shortest, p.longest))
     bench.fail(kind)
     bench.run(watch.look, lasting)
     bench.heal()
-    took = bench.run(lambda: watch.look() or bench.tracked(p.back), p.patience)
+    took = bench.run(lambda: watch.look() or bench.tracked(p.back), p.timeout)
     watch.look()
     report.faults[kind] += 1
     report.recovery.setdefault(kind, []).append(took)
@@ -316,7 +316,7 @@ def _one_fault(
         report.silent_wrong[kind] += 1
 
 
-class _LieDetector:
+class _UnreportedErrors:
     """Detects, during one fault, wrong positions shown as measured without a report."""
 
     def __init__(self, bench: Bench, params: DrillParams) -> None:

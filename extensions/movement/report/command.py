@@ -12,6 +12,6 @@ def report(args: ReportArguments) -> int:
     """Write the page and the table."""
     paths = [path for path, _ in sessions_in(args.sessions)]
     check_json(args, paths)
-    takes = write_report(paths, args.output, args.anonymous, args.force)
-    finish(args, as_json(takes), [f"{args.output}: {len(takes)} recordings"], [*paths, args.output])
+    rows = write_report(paths, args.output, args.anonymous, args.force)
+    finish(args, as_json(rows), [f"{args.output}: {len(rows)} recordings"], [*paths, args.output])
     return 0

@@ -40,7 +40,7 @@ from tracker.messages import Array, Validity
 
 TEST_S = 1.0
 REACH = 10.0  # m
-LOOK_AGAIN = 5.0  # s after which the registration's files are read again
+STATE_PERIOD = 5.0  # s between two readings of the registration's files
 
 
 class OpenXrHost(CurrentEngine, ErrorSignal, Protocol):
@@ -60,7 +60,7 @@ class OpenXrPanel(Panel):
         super().__init__(parent)
         self.host = host
         self._outputs, self._registration = outputs, registration
-        self._looked, self._layer = float("-inf"), Registered.NO
+        self._read_at, self._layer = float("-inf"), Registered.NO
         self.layer, self.stream, self.result = QLabel(), QLabel(), QLabel()
         for label in (self.layer, self.stream, self.result):
             label.setWordWrap(True)
@@ -148,7 +148,7 @@ class OpenXrPanel(Panel):
             do(self._registration())
         except FileError as error:
             self.host.error.emit(str(error))
-        self._looked = float("-inf")
+        self._read_at = float("-inf")
         self._show()
 
     def _set(self, option: str, value: object) -> None:
@@ -187,8 +187,8 @@ class OpenXrPanel(Panel):
 
     def _state(self) -> Registered:
         now = time.monotonic()
-        if now - self._looked > LOOK_AGAIN:
-            self._looked = now
+        if now - self._read_at > STATE_PERIOD:
+            self._read_at = now
             try:
                 self._layer = self._registration().state()
             except FileError:  # the system has no layers; Register reports it

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from app.viewmodels.names import spoken
+from app.viewmodels.names import display_name
 from app.viewmodels.recording import position_text
 from app.viewmodels.states import VALIDITY, WARN
 from app.words import SIDES, local, mark, notice_text, tr
@@ -46,9 +46,9 @@ def recognised_text(found: RecognisedPoints) -> str:
     if found.problem is not None:
         parts.append(notice_text(found.problem))
     elif found.missing:
-        parts.append(tr("Without: {}.").format(_some([spoken(k) for k in found.missing])))
+        parts.append(tr("Without: {}.").format(_some([display_name(k) for k in found.missing])))
     others = [
-        f"{spoken(k)} = {', '.join(points)}"
+        f"{display_name(k)} = {', '.join(points)}"
         for k, points in zip(found.keypoints, found.assigned, strict=True)
         if points != (k,)
     ]
@@ -91,7 +91,7 @@ def residual_rows(about: Described) -> list[tuple[str, str, str, str]]:
     offsets = np.linalg.norm(about.with_offsets.offsets, axis=1)
     shown = np.where(offsets > 0, offsets, np.nan)
     rows = zip(about.keypoints, *about.residuals, shown, strict=True)
-    return [(spoken(k), _mm(1e3 * a), _mm(1e3 * b), _mm(1e3 * d)) for k, a, b, d in rows]
+    return [(display_name(k), _mm(1e3 * a), _mm(1e3 * b), _mm(1e3 * d)) for k, a, b, d in rows]
 
 
 def _mm(value: float) -> str:
@@ -103,7 +103,7 @@ def worst_row(worst: WorstInstant) -> tuple[str, ...]:
     look = STATES[worst.state]
     return (
         position_text(worst.t),
-        spoken(worst.keypoint),
+        display_name(worst.keypoint),
         _mm(1e3 * worst.error),
         f"{look.sign} {tr(look.word)}",
         _mm(1e3 * worst.sd),

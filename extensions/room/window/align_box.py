@@ -99,9 +99,9 @@ class AlignBox(QGroupBox):
         self.counts.clear()
         used = self._remote.settings.options(self._remote.kinds[source]).alignment
         text = self.tr("In use: {}").format(used) if used else self.tr("No alignment is in use.")
-        self.say(text)
+        self.show_result(text)
 
-    def say(self, text: str) -> None:
+    def show_result(self, text: str) -> None:
         self.words.setText(text)
 
     def show_hands(self) -> None:
@@ -137,7 +137,7 @@ class AlignBox(QGroupBox):
         options = self._remote.settings.options(self._remote.kinds[self._source])
         name = str(getattr(options, side))
         if door is None or not name:
-            self.say(self.tr("Choose the tracker on this hand first."))
+            self.show_result(self.tr("Choose the tracker on this hand first."))
             return
         self._found = None
         self.save_button.setEnabled(False)
@@ -158,7 +158,7 @@ class AlignBox(QGroupBox):
             self.stop()
             return
         run.tick(now, hand.tracked.recent_imu())
-        self.say(run.words(now))
+        self.show_result(run.words(now))
         self.progress.setValue(round(100 * run.share))
         self.counts.setText(self.tr("{} packets of the glove, {} poses").format(*run.counts))
         if run.phase == MovementPhase.DONE:
@@ -169,19 +169,19 @@ class AlignBox(QGroupBox):
         try:
             moved = run.moved()
         except GlovetrackError as error:
-            self.say(error_text(error))
+            self.show_result(error_text(error))
             return
-        self.say(self.tr("Computing the alignment…"))
+        self.show_result(self.tr("Computing the alignment…"))
 
         def job(_progress: JobProgress, moved: Moved = moved) -> tuple[str, Alignment]:
             return side, solve(moved)
 
         title = self.tr("Aligning the tracker")
-        self._tasks.run(title, job, done=self._show_found, failed=self.say)
+        self._tasks.run(title, job, done=self._show_found, failed=self.show_result)
 
     def _show_found(self, found: tuple[str, Alignment]) -> None:
         self._found = found
-        self.say(residual_text(found[1]))
+        self.show_result(residual_text(found[1]))
         self.save_button.setEnabled(True)
 
     def stop(self) -> None:
@@ -207,11 +207,11 @@ class AlignBox(QGroupBox):
             make_folder(path.parent)
             alignment_file.write(path, {**known, side: found}, force=True)
         except GlovetrackError as error:
-            self.say(error_text(error))
+            self.show_result(error_text(error))
             return
         self._remote.set_option(self._source, ALIGNMENT, str(path))
         self.save_button.setEnabled(False)
-        self.say(self.tr("Saved, and in use: {}").format(path))
+        self.show_result(self.tr("Saved, and in use: {}").format(path))
 
 
 # ---- the guided movement of an alignment: what to do now, and what was measured meanwhile

@@ -118,9 +118,9 @@ class RoomDialog(QDialog):
         if self._remote.door(self.name) is not None:
             return True
         if self._remote.is_on(self.name):
-            self.align.say(self.tr("The source is being opened. Start again."))
+            self.align.show_result(self.tr("The source is being opened. Start again."))
         else:
-            self.align.say(self.tr("Switch the source on and test it first."))
+            self.align.show_result(self.tr("Switch the source on and test it first."))
         return False
 
     # --- the test

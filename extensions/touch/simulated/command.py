@@ -72,16 +72,18 @@ def summary(rows: Sequence[WearerFigures]) -> dict[str, Any]:
         "sd_ratio": ratio,
         "touches": sum(f.touches for f in fingers),
         "missed": sum(r.missed for r in rows),
-        "print_said": _said(faulty["print"], "touch.print_scale"),
-        "print_said_with_ruler": _said(faulty["print"], "touch.print_scale", ruler=True),
-        "camera_said": _said(faulty["camera"], "touch.print_scale"),
-        "camera_said_with_ruler": _said(faulty["camera"], "touch.camera_scale", ruler=True),
-        "said_wrongly": _said(right, "touch.print_scale"),
+        "print_said": _contradicting(faulty["print"], "touch.print_scale"),
+        "print_said_with_ruler": _contradicting(faulty["print"], "touch.print_scale", ruler=True),
+        "camera_said": _contradicting(faulty["camera"], "touch.print_scale"),
+        "camera_said_with_ruler": _contradicting(
+            faulty["camera"], "touch.camera_scale", ruler=True
+        ),
+        "said_wrongly": _contradicting(right, "touch.print_scale"),
         "ok": bool(np.abs(mean).max() <= BIAS_GOAL_MM and abs(ratio - 1) <= SD_GOAL),
     }
 
 
-def _said(rows: Sequence[WearerFigures], code: str, ruler: bool = False) -> list[int]:
+def _contradicting(rows: Sequence[WearerFigures], code: str, ruler: bool = False) -> list[int]:
     """Number of wearers with a notice, and of all wearers."""
     given = [code in (r.codes_ruler if ruler else r.codes) for r in rows]
     return [sum(given), len(given)]

@@ -198,7 +198,7 @@ def test_a_connection_test_waits_for_the_drivers_heartbeat() -> None:
     finally:
         stop.set()
         playing.join()
-    assert driver_version(port, patience=0.1) is None
+    assert driver_version(port, timeout=0.1) is None
 
 
 def test_without_a_driver_the_port_is_judged(names: Names, make_estimate, client) -> None:

@@ -51,13 +51,13 @@ class StereoView:
 
 @dataclass(frozen=True, eq=False)
 class BoardLook:
-    """The result for one exposure. ``view`` is None if it cannot be used, and ``trouble`` the
+    """The result for one exposure. ``view`` is None if it cannot be used, and ``problem`` the
     reason."""
 
     left: Corners | None
     right: Corners | None
     view: StereoView | None
-    trouble: Notice | None = None
+    problem: Notice | None = None
 
 
 class BoardFinder:

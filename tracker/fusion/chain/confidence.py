@@ -24,7 +24,7 @@ from tracker.fusion.chain.support import Evidence
 from tracker.fusion.chain.tracking import DOUBT_AFTER
 from tracker.fusion.output.output import Sensed, sensed_lately
 from tracker.fusion.time.timeline import HAND_SPEED
-from tracker.messages import SEEN_LATELY, Array, CameraPose, ImuSample, IntArray, Tracking
+from tracker.messages import RECENT, Array, CameraPose, ImuSample, IntArray, Tracking
 
 MEASURED_SD = 0.016  # m, limit for the state MEASURED: three standard deviations are 5 cm
 BIAS_LASTS = 2.0  # s for which a gyro bias error stays aligned with the vertical
@@ -136,7 +136,7 @@ class HandConfidence:
         """What was sensed recently, as of ``t``."""
         lay, now = self._layout, self.saved
         segments = sensed_lately(
-            now.felt, lay.imu_segment, now.seen, lay.marker_segment, len(lay.active), t, SEEN_LATELY
+            now.felt, lay.imu_segment, now.seen, lay.marker_segment, len(lay.active), t, RECENT
         )
         if len(now.doubted):
             segments[now.doubted] = 0

@@ -238,7 +238,7 @@ class ChainTracker:
         """
         if not self._judge.is_in_vain(frame.t):
             return None
-        lately = self._judge.was_lately(frame.t)
+        lately = self._judge.was_recent(frame.t)
         return self._start(frame, self.wearer.calibration.start_with(self.state, lately))
 
     def start(self, frame: BlobFrame) -> FrameResult | None:

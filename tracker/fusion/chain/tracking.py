@@ -201,6 +201,6 @@ class TrackingJudge:
         """Whether a lost hand is in the images, in another articulation than its last one."""
         return t - self.saved.in_vain_since > IN_VAIN
 
-    def was_lately(self, t: float) -> bool:
+    def was_recent(self, t: float) -> bool:
         """Whether the last good image is so recent that the calibration is not the cause."""
         return t - self.saved.last_good < KEEP_CALIBRATION

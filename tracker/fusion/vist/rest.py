@@ -23,11 +23,11 @@ SD = 0.05  # m/s, since sway continues and the same rest is used many times per 
 def is_still(packets: Sequence[ImuSample], t: float, imu: int, bias: Array) -> bool:
     """Whether one IMU was at rest during the last `WINDOW` seconds before ``t``. bias (3,)
     rad/s."""
-    lately = [s for s in packets if t - WINDOW <= s.t <= t]
-    if len(lately) < 5 or not all(s.valid[imu] for s in lately):
+    recent = [s for s in packets if t - WINDOW <= s.t <= t]
+    if len(recent) < 5 or not all(s.valid[imu] for s in recent):
         return False
-    rate = np.array([s.gyro[imu] for s in lately]) - bias
-    force = np.array([s.accel[imu] for s in lately])
+    rate = np.array([s.gyro[imu] for s in recent]) - bias
+    force = np.array([s.accel[imu] for s in recent])
     sd = np.linalg.norm(force.std(axis=0))
     return bool(np.linalg.norm(rate, axis=1).mean() < STILL_RATE and sd < STILL_FORCE)
 

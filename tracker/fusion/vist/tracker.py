@@ -31,7 +31,7 @@ from tracker.fusion.vist.state import (
     reset_motion,
 )
 from tracker.messages import (
-    SEEN_LATELY,
+    RECENT,
     Array,
     BlobFrame,
     CameraPose,
@@ -300,8 +300,8 @@ class VistTracker:
 
     def sensed(self, t: float) -> Sensed:
         """What was sensed recently, as of ``t``."""
-        out = (t - self._track.felt[self._layout.imu_of] < SEEN_LATELY).astype(np.int64)
-        out[self._layout.chain.marker_segment[t - self._track.seen < SEEN_LATELY]] = 1
+        out = (t - self._track.felt[self._layout.imu_of] < RECENT).astype(np.int64)
+        out[self._layout.chain.marker_segment[t - self._track.seen < RECENT]] = 1
         return Sensed(out, self._track.tracking)
 
     def sd_at(self, t: float, shown: VistState) -> Array:

@@ -69,7 +69,7 @@ class Desk:
         rng = rng_for(seed, "desk")
         self.light = light
         shift = rng.uniform(-0.06, 0.06, 3)
-        self.lamp_place: Array = np.array(light.place) + shift
+        self.lamp_place: Array = np.array(light.position) + shift
         self.power = float(rng.uniform(0.92, 1.08))
         shape = (round((LAST - FIRST) / TEXEL), round(2 * HALF / TEXEL))
         by_chance = "wood" if rng.random() < 0.7 else "laminate"
@@ -147,7 +147,7 @@ class Desk:
         """Irradiance of surfaces: the lamp's share (…), and the rest, linear BGR (…, 3)."""
         light = self.light
         main = self.power * strength(self.lamp_place, points, normals, light.softness)
-        second = strength(np.array(light.second_place), points, normals)
+        second = strength(np.array(light.second_position), points, normals)
         sky = 0.6 + 0.4 * normals[..., 2]
         rest = sky[..., None] * np.array(light.sky) + second[..., None] * np.array(light.second)
         return main, rest

@@ -24,11 +24,11 @@ class RoomLight:
     """
 
     main: BGR  # of the lamp or window, at normal incidence at the centre of the desk
-    place: tuple[float, float, float]  # m, from below the camera: forward, left, over the desk
+    position: tuple[float, float, float]  # m, from below the camera: forward, left, over the desk
     softness: float  # half angle subtended by the lamp, rad
     sky: BGR  # from everywhere
     second: BGR  # another light in the room, without shadows
-    second_place: tuple[float, float, float]
+    second_position: tuple[float, float, float]
     shot: float
     read: float
     vignetting: float = 0.12
