@@ -47,11 +47,11 @@ class SessionFile:
         """``("left", "right")``, or the one hand that was recorded."""
         return self.reader.sides or (self.reader.info.side,)
 
-    def side(self, asked: str) -> str:
+    def side(self, requested: str) -> str:
         """The hand that is meant. Raises ConfigError where that is not clear, or it is missing."""
-        if asked in self.sides:
-            return asked
-        if asked:
+        if requested in self.sides:
+            return requested
+        if requested:
             raise ConfigError(notice("api.other_side", file=self.path.name, side=self.sides[0]))
         if len(self.sides) == 1:
             return self.sides[0]

@@ -145,10 +145,10 @@ def _built_with(
     recorders = RecorderProcesses(Prepare(spec))
     recorders.warm()
 
-    def send(asked: PostureRequest, pose: str) -> None:
-        ask(first, asked)
-        glove_process.ask(asked)
-        camera.ask(asked, pose)
+    def send(request: PostureRequest, pose: str) -> None:
+        ask(first, request)
+        glove_process.ask(request)
+        camera.ask(request, pose)
 
     wearer = None
     if len(wearers) == 1:  # two wearers follow no guidance
@@ -318,8 +318,8 @@ class GuidedWearer:
         self._submit(self._ask_plan, plan, name)
 
     def _ask_plan(self, plan: Plan, name: str) -> None:
-        for asked in plan(self._simulation(), self._clock() + AHEAD):
-            self._send(asked, name)
+        for request in plan(self._simulation(), self._clock() + AHEAD):
+            self._send(request, name)
 
     def _submit(self, work: Callable[..., object], *args: object) -> None:
         """A dialog may still ask while the demo is closed; nothing moves any more."""

@@ -253,7 +253,7 @@ class EngineHost(QObject):
 
     def snapshot(self) -> Snapshot | None:
         """The latest data of all streams; emits the events since the last call."""
-        self.recording.look()
+        self.recording.poll()
         setup = self._setup
         if setup is None:
             return None

@@ -157,7 +157,7 @@ class Recording(QObject):
         if live is None or self.request is not None:
             return False
         self.refusal = None
-        self.look()
+        self.poll()
         if self._closing is not None:
             self.failed.emit(
                 tr(
@@ -195,7 +195,7 @@ class Recording(QObject):
             self._live.engine.keep_state()  # it continued during the pause
         self.changed.emit(True)
 
-    def look(self) -> None:
+    def poll(self) -> None:
         """End a recording whose file has failed; emit `finished` for one that is closed by now.
 
         Call it regularly.
@@ -212,14 +212,14 @@ class Recording(QObject):
 
     def leave(self) -> None:
         """The engine is closed now; a file on a slow disk is finished without it."""
-        self.look()
+        self.poll()
         self._left = True
 
     def wait(self) -> None:
         """Wait until no file is being written, at most `LONGEST_CLOSING`."""
         if self._closing is not None:
             self._closing[1].wait(LONGEST_CLOSING)
-        self.look()
+        self.poll()
 
     @property
     def closing(self) -> bool:
@@ -236,7 +236,7 @@ class Recording(QObject):
     def end(self, by: str = "") -> None:
         """End the file; the engine writes queued messages and closes it, possibly after the return.
 
-        `look` emits `finished` when it is closed. ``by``: the reason, if not the user's wish.
+        `poll` emits `finished` when it is closed. ``by``: the reason, if not the user's wish.
         """
         if self._live is None or self.request is None or self._recorder is None:
             return
@@ -245,7 +245,7 @@ class Recording(QObject):
         self._live.engine.set_recorder(None)
         self._live = self._recorder = self.request = None
         self.changed.emit(False)
-        self.look()
+        self.poll()
 
 
 def recorder_maker(

@@ -17,7 +17,7 @@ from tracker.fusion.chain.calibration.profile_file import WearerFile
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.profile import WearerProfile
 from tracker.fusion.engine import Engine
-from tracker.fusion.worn import LearnsWearer, learned, learner_of
+from tracker.fusion.wearer_learning import LearnsWearer, learned, learner_of
 
 
 def learning_part(engine: Engine) -> LearnsWearer:
@@ -58,9 +58,9 @@ class CalibrationCommands(QObject):
     def freeze(self, on: bool) -> bool:
         return self._host.command(partial(_freeze, on=on))
 
-    def put_on(self, profile: WearerProfile, side: str) -> bool:
+    def apply_profile(self, profile: WearerProfile, side: str) -> bool:
         """Send a profile, and the calibration of the glove from an earlier fit, to that hand."""
-        return self._host.command(partial(_put_on, profile=profile), side)
+        return self._host.command(partial(_load_wearer, profile=profile), side)
 
     def measured(self, length: float) -> bool:
         """Restart the calibration with this hand length (m)."""
@@ -79,14 +79,14 @@ def _freeze(engine: Engine, on: bool) -> None:
     learning_part(engine).wearer.freeze(on)
 
 
-def _put_on(engine: Engine, profile: WearerProfile) -> None:
+def _load_wearer(engine: Engine, profile: WearerProfile) -> None:
     learner = learning_part(engine)
-    learner.put_on(renewed(profile, learner.layout))
+    learner.apply_profile(renewed(profile, learner.layout))
 
 
 def _put_on_measured(engine: Engine, length: float) -> None:
     learner = learning_part(engine)
-    learner.put_on(measured_profile(learner.layout, length))
+    learner.apply_profile(measured_profile(learner.layout, length))
 
 
 def _learned(engine: Engine) -> WearerFile:

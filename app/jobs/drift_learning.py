@@ -18,7 +18,7 @@ from tracker.glove.imu_values import with_drift
 from tracker.glove.model import ImuDrift
 from tracker.messages import Event
 
-LOOK_MS = 4000
+POLL_MS = 4000
 """The last 10 s of packets are available."""
 
 
@@ -34,8 +34,8 @@ class DriftLearner(QObject):
         self._host, self._store = host, store
         self._collected: dict[str, WarmthCollector] = {}
         self._timer = QTimer(self)
-        self._timer.setInterval(LOOK_MS)
-        self._timer.timeout.connect(self.look)
+        self._timer.setInterval(POLL_MS)
+        self._timer.timeout.connect(self.poll)
         host.running_changed.connect(self._running)
         host.recording.finished.connect(lambda _path: self.learn())
 
@@ -52,7 +52,7 @@ class DriftLearner(QObject):
         hands = setup.hands if setup is not None and not setup.simulated else ()
         return [h for h in hands if h.live is not None and h.connection.number is not None]
 
-    def look(self) -> None:
+    def poll(self) -> None:
         """Take the packets since the last call."""
         for hand in self._gloves():
             collected = self._collected.setdefault(hand.side, WarmthCollector())
@@ -61,7 +61,7 @@ class DriftLearner(QObject):
 
     def learn(self) -> None:
         """Improve the gloves' own files by what was collected, and report it."""
-        self.look()
+        self.poll()
         for hand in self._gloves():
             self._learn(hand, self._collected[hand.side])
 

@@ -191,19 +191,19 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
 
     # --- requests of the user
 
-    def use(self, asked: StreamSettings) -> None:
+    def use(self, requested: StreamSettings) -> None:
         """Enable the streams of the command line; they are not stored unless a setting is
         changed."""
-        for name in asked.on:
+        for name in requested.on:
             kind = self.kinds[name]
-            options = asked.options(kind)
+            options = requested.options(kind)
             always = [option for option in ("port", "file") if kind.has(option)]
-            asked_for = [o for o in kind.fields if o != HOST and key_of(name, o) in asked.table]
+            asked_for = [o for o in kind.fields if o != HOST and key_of(name, o) in requested.table]
             changes = {key_of(name, o): getattr(options, o) for o in (*always, *asked_for)}
             self.settings = self.settings.changed(**{name: True, **changes})
         for key in (HOST, JOINTS):
-            if key in asked.table:
-                self.settings = self.settings.changed(**{key: asked.table[key]})
+            if key in requested.table:
+                self.settings = self.settings.changed(**{key: requested.table[key]})
 
     def set_joints(self, joints: str) -> None:
         """Send our keypoints or OpenXR's joints; running streams are opened again with them."""

@@ -14,7 +14,7 @@ from app.storage.settings import AppSettings, SettingsStore
 from tracker.sensors.camera_plugins import all_cameras
 from tracker.sensors.discovery import serial_ports
 
-LOOK_MS = 2000
+POLL_MS = 2000
 Names = frozenset[str]
 
 
@@ -51,7 +51,7 @@ class Newcomers:
 
 
 class PlugWatch(QObject):
-    """Checks every `LOOK_MS` while a device is missing.
+    """Checks every `POLL_MS` while a device is missing.
 
     ``came``: names of devices that were not present in the last search.
     """
@@ -66,11 +66,11 @@ class PlugWatch(QObject):
         look: Callable[[AppSettings], Names] = plugged_in,
     ) -> None:
         super().__init__(parent)
-        self._host, self._store, self._look = host, store, look
+        self._host, self._store, self._discover = host, store, look
         self._newcomers = Newcomers()
         self._job = LatestJob(self.tr("Looking for devices"), self)
         self._timer = QTimer(self)
-        self._timer.setInterval(LOOK_MS)
+        self._timer.setInterval(POLL_MS)
         self._timer.timeout.connect(self._ask)
 
     def begin(self) -> None:
@@ -90,7 +90,7 @@ class PlugWatch(QObject):
             settings = self._store.value
 
             def job(_progress: JobProgress) -> Names:
-                return self._look(settings)
+                return self._discover(settings)
 
             self._job.run(job, self._seen)
 

@@ -12,7 +12,7 @@ from app.storage.settings import SettingsStore
 from tracker.inertial.double_tap import DoubleTap
 
 SECOND_MS = 1000
-LOOK_MS = 50  # between two checks for a double tap
+POLL_MS = 50  # between two checks for a double tap
 POSE = "flat"
 
 
@@ -28,10 +28,10 @@ class PoseReset(QObject):
         self._host, self._store = host, store
         self.left = 0
         self._taps: dict[str, DoubleTap] = {}
-        self._timer, self._looks = QTimer(self), QTimer(self)
+        self._timer, self._poll_timer = QTimer(self), QTimer(self)
         self._timer.setInterval(SECOND_MS)
         self._timer.timeout.connect(self._count)
-        self._looks.timeout.connect(self._look)
+        self._poll_timer.timeout.connect(self._poll)
         host.running_changed.connect(self._running)
         host.closed.connect(self.cancel)
 
@@ -107,11 +107,11 @@ class PoseReset(QObject):
         """Detect double taps, if enabled."""
         self._taps = {}
         if self.available and self._store.value.pose_reset_tap:
-            self._looks.start(LOOK_MS)
+            self._poll_timer.start(POLL_MS)
         else:
-            self._looks.stop()
+            self._poll_timer.stop()
 
-    def _look(self) -> None:
+    def _poll(self) -> None:
         setup = self._host.setup
         if setup is None or self.left:
             return

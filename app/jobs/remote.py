@@ -31,7 +31,7 @@ from tracker.streaming.remote.request import Reply, Request, RequestError, parse
 
 MOTOR_HZ = 50.0  # maximum rate of commands to one motor; more would only load the glove's line
 MOTORS = tuple(CHAINS)
-LOOK_MS = 250  # interval of checks for contacts that are no longer updated
+POLL_MS = 250  # interval of checks for contacts that are no longer updated
 CLOSING = notice("remote.closing")
 
 
@@ -53,10 +53,10 @@ class RemoteAnswers(QObject):
         }
         self._felt = {"vibrate": self._vibrate, "contact": self._contact, "wrist": self._place}
         self._contacts = ContactBook()
-        self._look = QTimer(self)
-        self._look.setInterval(LOOK_MS)
-        self._look.timeout.connect(lambda: self._record(self._contacts.expired(monotonic())))
-        self._look.start()
+        self._poll_timer = QTimer(self)
+        self._poll_timer.setInterval(POLL_MS)
+        self._poll_timer.timeout.connect(lambda: self._record(self._contacts.expired(monotonic())))
+        self._poll_timer.start()
         self._ended = False
         self._came.connect(self._act, Qt.ConnectionType.QueuedConnection)
 
@@ -223,7 +223,7 @@ class RemoteAnswers(QObject):
 
     def end(self) -> None:
         """Stop answering, and reply to clients that still wait."""
-        self._look.stop()
+        self._poll_timer.stop()
         self._ended = True
         for future in list(self._waiting):
             if future.set_running_or_notify_cancel():

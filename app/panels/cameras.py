@@ -30,7 +30,7 @@ BOTH, LEFT_ONLY, RIGHT_ONLY = range(3)
 
 class CamerasPanel(Panel):
     period = 1 / 60
-    set_up_asked = Signal()
+    set_up_requested = Signal()
 
     def __init__(self, host: HandChanges, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -121,7 +121,7 @@ class CamerasPanel(Panel):
         self.set_up = QToolButton()
         self.set_up.setText(text_by_icon(self.tr("Exposure…")))
         self.set_up.setToolTip(self.tr("Lock exposure, gain and white balance; choose the camera"))
-        self.set_up.clicked.connect(self.set_up_asked)
+        self.set_up.clicked.connect(self.set_up_requested)
         self.set_up.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         dress(self.set_up, "settings-2")
         for widget in (self.sides, self.follow, self.freeze, self.masks, self.set_up):

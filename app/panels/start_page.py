@@ -35,8 +35,8 @@ class StartPage(QWidget):
     demo = Signal()
     connect_devices = Signal()
     open_session = Signal()
-    library_asked = Signal()
-    recent_asked = Signal(object)  # Path
+    library_requested = Signal()
+    recent_requested = Signal(object)  # Path
     recover = Signal(object)  # Path
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -119,7 +119,7 @@ class StartPage(QWidget):
         self.recent_heading.setProperty("role", "faint")
         self.library_button = QPushButton(self.tr("Library"))
         self.library_button.setToolTip(self.tr("All recorded sessions"))
-        self.library_button.clicked.connect(self.library_asked)
+        self.library_button.clicked.connect(self.library_requested)
         top = QHBoxLayout()
         top.addWidget(self.recent_heading)
         top.addStretch(1)
@@ -159,7 +159,7 @@ class StartPage(QWidget):
     # --- actions of the user
 
     def _chosen(self, item: QListWidgetItem) -> None:
-        self.recent_asked.emit(item.data(Qt.ItemDataRole.UserRole))
+        self.recent_requested.emit(item.data(Qt.ItemDataRole.UserRole))
 
     def _recover(self) -> None:
         if self._cut_off is not None:

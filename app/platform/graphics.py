@@ -77,7 +77,7 @@ class GraphicsQuery(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._timer = QTimer(self)
-        self._timer.timeout.connect(self._look)
+        self._timer.timeout.connect(self._poll)
         self._pipe: Connection | None = None
         self._process: BaseProcess | None = None
         self._waited_ms = 0
@@ -89,7 +89,7 @@ class GraphicsQuery(QObject):
         self._pipe, self._process = start_child("glovetrack-graphics", _answer)
         self._timer.start(PERIOD_MS)
 
-    def _look(self) -> None:
+    def _poll(self) -> None:
         self._waited_ms += PERIOD_MS
         assert self._pipe is not None and self._process is not None
         try:

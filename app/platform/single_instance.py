@@ -111,15 +111,15 @@ def _connected_to(name: str) -> QLocalSocket | None:
 
 
 class Instance(QObject):
-    """Accepts later starts; ``asked``: path of the session, or "" to show the window, and the time
-    in s at which the replay is paused, or None.
+    """Accepts later starts; ``requested``: path of the session, or "" to show the window, and the
+    time in s at which the replay is paused, or None.
 
     Raises ForeignSocket, or DiskError if no private socket can be created.
 
     ``answer`` handles requests in JSON and returns answers in JSON; empty before there is a window.
     """
 
-    asked = Signal(str, object)
+    requested = Signal(str, object)
 
     def __init__(self, name: str | None = None, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -179,7 +179,7 @@ class Instance(QObject):
         elif isinstance(path, str) and _is_time(at):
             socket.write(ANSWER)
             socket.flush()
-            self.asked.emit(path, at)
+            self.requested.emit(path, at)
         else:
             socket.abort()
 

@@ -79,7 +79,7 @@ class ImageFolder:
     def load(self, name: str) -> StoredImage:
         return read_image(self.path(name))
 
-    def keep(self, shot: StoredImage) -> None:
+    def store(self, shot: StoredImage) -> None:
         """Write an image; delete the oldest ones beyond `MOST`."""
         write_image(self.path(shot.name), shot)
         for old in self.names()[:-MOST]:

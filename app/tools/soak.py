@@ -322,7 +322,7 @@ class _Pace:
         self._shed = 0
         self._dropped, self._began = self._now("frames_dropped"), time.monotonic()
         self._timer = QTimer()
-        self._timer.timeout.connect(self._look)
+        self._timer.timeout.connect(self._poll)
         self._timer.start(self.PERIOD_MS)
 
     def tell(self, out: Soak) -> None:
@@ -339,7 +339,7 @@ class _Pace:
         status = view.status if view is not None else None
         return status.values.get(name, 0.0) if status is not None else 0.0
 
-    def _look(self) -> None:
+    def _poll(self) -> None:
         setup = self._window.host.setup
         for hand in setup.hands if setup is not None else ():
             status = hand.tracked.status()

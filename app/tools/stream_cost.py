@@ -45,7 +45,7 @@ NOT_HERE = ("opengloves",)  # a pipe of Windows
 FIRST_PORT = 20_000
 SETTLE_S = 2.0  # after switching, before a turn counts
 SWITCH_WAIT = 120.0  # s for all streams to open or close, on a loaded computer
-LOOK_S = 4.0  # the latencies that the engine stores are those of so many seconds
+MEDIAN_SPAN = 4.0  # the latencies that the engine stores are those of so many seconds
 MEDIAN, HIGH = "latency_imu_ms", "latency_imu_p99_ms"
 
 
@@ -195,14 +195,14 @@ def _switch(window: MainWindow, names: Sequence[str], on: bool) -> None:
 
 
 def _turn(window: MainWindow, names: Sequence[str], seconds: float) -> StreamTurn:
-    looks: list[tuple[float, float]] = []
-    for _ in range(max(round(seconds / LOOK_S), 1)):
-        wait_until(lambda: False, LOOK_S)
+    readings: list[tuple[float, float]] = []
+    for _ in range(max(round(seconds / MEDIAN_SPAN), 1)):
+        wait_until(lambda: False, MEDIAN_SPAN)
         setup = window.host.setup
         assert setup is not None
         values = setup.tracked.status().values
-        looks.append((values[MEDIAN], values[HIGH]))
-    median, high = np.median(looks, axis=0)
+        readings.append((values[MEDIAN], values[HIGH]))
+    median, high = np.median(readings, axis=0)
     counts = {name: window.outputs.counts(name) for name in names}
     sent = {name: found.sent for name, found in counts.items() if found is not None}
     return StreamTurn(round(float(median), 3), round(float(high), 3), sent)

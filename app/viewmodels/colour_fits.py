@@ -81,7 +81,7 @@ def _learned(
     return learn(fitted, samples), found
 
 
-def fit_words(found: Sequence[FoundHue], profile: ColourProfile) -> str:
+def fit_text(found: Sequence[FoundHue], profile: ColourProfile) -> str:
     """The result of a fit for each hue."""
     if not found:
         return tr("Nothing was fitted: no patches of these colours were found.")

@@ -119,9 +119,9 @@ class ColourTuning:
         self.setup = setup
         self.hue = 0  # row of the selected hue
         self.markers, self.live = MarkerWatch(setup), LiveImages(setup)
-        self.last_words = tr("Colours of {}").format(setup.camera.name) if kept is not None else ""
+        self.message = tr("Colours of {}").format(setup.camera.name) if kept is not None else ""
         self.room, self.search, self._check = RoomColours(), ImageSearch(setup), PickCheck()
-        self._history = ProfileHistory(Tuned(kept or setup.profile, self.last_words))
+        self._history = ProfileHistory(Tuned(kept or setup.profile, self.message))
         self._dragging = False
 
     @property
@@ -147,13 +147,13 @@ class ColourTuning:
         """Add a step. Messages about the previous colours do not apply to the new ones."""
         self._history.change(new, merge)
         if new.words or not self.live.wanted:  # the message that a fit is pending remains
-            self.last_words = new.words
+            self.message = new.words
 
     def pick(self, image: Image, u: float, v: float, how: Eyedropper) -> bool:
         """Include a pixel of the mask in the range, set the range from it, or exclude it.
 
         False if the pixel is grey, or looks like another hue than the selected one, which a second
-        click accepts. ``last_words`` explains the reason.
+        click accepts. ``message`` explains the reason.
         """
         at_u, at_v = u * MASK_STEP, v * MASK_STEP
         pixel = np.array(pixel_hsv(image, at_u, at_v))
@@ -163,7 +163,7 @@ class ColourTuning:
         else:
             problem = self._check.problem(pixel, u, v, self.hue_range, self.profile)
             if problem:
-                self.last_words = problem
+                self.message = problem
                 return False
             setting = how is Eyedropper.SET
             changed = (
@@ -201,10 +201,10 @@ class ColourTuning:
         live, before = self.setup.player is None, self._history.now
         words = tr("The colours were adapted to the light.") if live else ""
         if before.picks or self.live.wanted:
-            words = self.last_words  # the message about the pending fit remains
+            words = self.message  # the message about the pending fit remains
         self._history.follow(Tuned(profile, words, before.picks, followed=True), live)
         self._dragging = False  # the next movement of a slider is a step of its own
-        self.last_words = words
+        self.message = words
 
     def undo(self) -> bool:
         """Go back one step; whether there was one."""
@@ -215,7 +215,7 @@ class ColourTuning:
 
     def _went(self, there: bool) -> bool:
         if there:
-            self.last_words = self._history.now.words
+            self.message = self._history.now.words
         return there
 
     def load(self, path: Path) -> None:
@@ -229,14 +229,12 @@ class ColourTuning:
     def save(self, path: Path) -> None:
         """Write the profile to a file. Raises FileError."""
         write_with_folder(path, profile_to_toml(self.profile))
-        self.last_words = tr("Exported to {}").format(path.name)
+        self.message = tr("Exported to {}").format(path.name)
 
     def check_room(self, image: Image) -> None:
         """Measure the colours of the room in an image without the glove."""
         self.room.measure(image, self.profile)
-        self.last_words = (
-            "" if self.room.shares else tr("The background has none of these colours.")
-        )
+        self.message = "" if self.room.shares else tr("The background has none of these colours.")
 
     def search_work(self, shown: ShownImage) -> Callable[[], Blobs] | None:
         """A search of an image with the current profile; see `ImageSearch.work`."""
@@ -256,7 +254,7 @@ class ColourTuning:
     def words(self, rows: list[HueRow]) -> str:
         """The result of the last action, and problems of hues."""
         clashing = [f"▲ {display_name(row.name)}: {row.clash}" for row in rows if row.clash]
-        return "\n".join([*([self.last_words] if self.last_words else []), *clashing])
+        return "\n".join([*([self.message] if self.message else []), *clashing])
 
     def mask(
         self, shown: ShownImage, rows: list[HueRow], picking: bool = False

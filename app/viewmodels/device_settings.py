@@ -88,13 +88,13 @@ def value_text(value: Value, unit: str = "") -> str:
     return f"{text} {unit}".rstrip()
 
 
-def device_values(view: Snapshot, asked: Mapping[str, Value]) -> list[DeviceValue]:
-    """All values of all devices; ``asked`` are applied changes, by key."""
+def device_values(view: Snapshot, requested: Mapping[str, Value]) -> list[DeviceValue]:
+    """All values of all devices; ``requested`` are applied changes, by key."""
     out: list[DeviceValue] = []
     for hand in sorted(view.setup.hands, key=lambda h: h.side):
         look = next((v for v in view.hands if v.setup.side == hand.side), view)
         out += _glove(hand, look)
-    return [*out, *_camera(view, asked)]
+    return [*out, *_camera(view, requested)]
 
 
 def _entry(
@@ -181,7 +181,7 @@ def _chip(prefix: str, device: str, r: GloveReport) -> list[DeviceValue]:
     found = [_entry(prefix, device, group, n, w, v, unit=u) for n, w, v, u in rows]
     measured = round(r.rate_hz, 2) if r.rate_hz is not None else None
     rate = _entry(
-        prefix, device, group, "rate_hz", tr("Sample rate"), r.rate_asked_hz,
+        prefix, device, group, "rate_hz", tr("Sample rate"), r.requested_rate_hz,
         unit="Hz", changeable=True, choices=r.rates_hz, confirmed=rate_state(r),
         detail=tr("measured {}").format(value_text(measured, "Hz")),
     )  # fmt: skip
@@ -196,7 +196,7 @@ def rate_state(r: GloveReport) -> Confirmed:
     """The protocol does not acknowledge RATE: the time stamps of the packets show the rate."""
     if r.rate_hz is None:
         return Confirmed.WAITING
-    taken = abs(r.rate_hz / r.rate_asked_hz - 1) <= RATE_TOLERANCE
+    taken = abs(r.rate_hz / r.requested_rate_hz - 1) <= RATE_TOLERANCE
     return Confirmed.TAKEN if taken else Confirmed.REFUSED
 
 
@@ -271,7 +271,7 @@ def _bias(calibration: Calibration | None, segment: str, kind: str) -> str | Non
     return ", ".join(f"{local(b):.2f} ± {local(s):.2f}" for b, s in zip(bias, sd, strict=True))
 
 
-def _camera(view: Snapshot, asked: Mapping[str, Value]) -> list[DeviceValue]:
+def _camera(view: Snapshot, requested: Mapping[str, Value]) -> list[DeviceValue]:
     setup = view.setup
     if not setup.camera.present:
         return []
@@ -281,14 +281,14 @@ def _camera(view: Snapshot, asked: Mapping[str, Value]) -> list[DeviceValue]:
     image = view.frame.left if view.frame is not None else None
     size = f"{image.shape[1]} × {image.shape[0]}" if image is not None else None
     rate = view.status.values.get("frame_rate_hz") if view.status is not None else None
-    asked_rate = setup.camera.device.fps if setup.camera.device is not None else None
+    requested_rate = setup.camera.device.fps if setup.camera.device is not None else None
     calibration = setup.camera.calibration_file or (
         tr("in the recording") if setup.player is not None and setup.camera.calibrated else None
     )
     measured = Confirmed.MEASURED if rate is not None else Confirmed.UNKNOWN
     out += [
         _entry(prefix, device, "", "image_size", tr("Size of one image"), size, unit="px"),
-        _entry(prefix, device, "", "granted_fps", tr("Negotiated rate"), asked_rate, unit="Hz"),
+        _entry(prefix, device, "", "granted_fps", tr("Negotiated rate"), requested_rate, unit="Hz"),
         _entry(prefix, device, "", "fps", tr("Rate measured"), rate, unit="Hz", confirmed=measured),
         _entry(
             prefix, device, "", "calibration", tr("Calibration"), calibration,
@@ -307,7 +307,7 @@ def _camera(view: Snapshot, asked: Mapping[str, Value]) -> list[DeviceValue]:
         out += [_entry(prefix, device, group, own + n, w, v) for n, w, v in rows]
     return [
         *out,
-        *(_control(c, asked) for c in (controls.controls() if controls is not None else ())),
+        *(_control(c, requested) for c in (controls.controls() if controls is not None else ())),
         *(_fixed(s) for s in (controls.fixed() if controls is not None else ())),
     ]
 
@@ -334,9 +334,9 @@ def _fixed(setting: FixedSetting) -> DeviceValue:
     )
 
 
-def _control(control: Control, asked: Mapping[str, Value]) -> DeviceValue:
+def _control(control: Control, requested: Mapping[str, Value]) -> DeviceValue:
     key = f"camera.{control.name}"
-    wanted = asked.get(key)
+    wanted = requested.get(key)
     value: Value = control.value if control.locked else AUTOMATIC
     confirmed = Confirmed.TAKEN if control.locked else Confirmed.REPORTED
     if control.is_unverified:

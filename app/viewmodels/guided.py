@@ -48,7 +48,7 @@ class GuidedRun:
         self.held: dict[str, bool] = {}
         self.insisted = False  # the wearer accepted the pose
         self.late = False  # there was enough time for the pose, but it is not held
-        self._asked = self._well = self._last = self._missed = 0.0
+        self._requested_at = self._well = self._last = self._missed = 0.0
 
     @property
     def pose(self) -> str:
@@ -61,7 +61,7 @@ class GuidedRun:
 
     def may_begin(self, t: float) -> bool:
         """Whether there was enough time to take the pose."""
-        return t - self._asked >= BETWEEN
+        return t - self._requested_at >= BETWEEN
 
     @property
     def is_well(self) -> bool:
@@ -144,7 +144,7 @@ class GuidedRun:
 
     def _ask(self, number: int, t: float) -> None:
         self.number, self.phase, self.share = number, GuidedPhase.REACHING, 0.0
-        self._asked, self._last, self.insisted, self.late = t, t, False, False
+        self._requested_at, self._last, self.insisted, self.late = t, t, False, False
         self._missed = 0.0
         self._show(self.pose)
 
@@ -155,7 +155,7 @@ class GuidedRun:
     def _lost(self, t: float) -> None:
         """Restart a pose that was released too early, without a pause."""
         self._hand.let_go(self.pose, False)
-        self.phase, self.share, self._asked = GuidedPhase.REACHING, 0.0, t - BETWEEN
+        self.phase, self.share, self._requested_at = GuidedPhase.REACHING, 0.0, t - BETWEEN
 
     def _end(self, held: bool, t: float) -> None:
         self._hand.let_go(self.pose, held)

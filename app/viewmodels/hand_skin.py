@@ -91,11 +91,11 @@ class HandSkin:
         """The patches of the glove in ``colours`` by marker."""
         return Draped(*posed(self._rest_patches, R, p), _patch_looks(tuple(colours)))
 
-    def patch_faces(self, now: Faces, lately: Faces) -> Faces:
+    def patch_faces(self, now: Faces, recent: Faces) -> Faces:
         """(F,) faces of the patches to draw, for markers (M,) visible now and recently."""
-        now, lately = now[self._owner], lately[self._owner] & ~now[self._owner]
+        now, recent = now[self._owner], recent[self._owner] & ~now[self._owner]
         ring = self._ring
-        return np.asarray(np.where(now, True, np.where(lately, ring < len(INNER), ring == 3)))
+        return np.asarray(np.where(now, True, np.where(recent, ring < len(INNER), ring == 3)))
 
 
 def scales(hand: HandModel, calibration: Calibration | None) -> Array:

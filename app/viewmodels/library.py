@@ -38,7 +38,7 @@ class SessionRow:
     stamp: tuple[int, int] = (0, 0)  # modification time in ns, and size, to detect changes
     tags: tuple[str, ...] = ()
 
-    def holds(self, words: str, quality: str = "") -> bool:
+    def matches(self, words: str, quality: str = "") -> bool:
         """Whether each of the words occurs in its name, tags, date or quality."""
         text = " ".join((self.name, *self.tags, self.when, self.integrity, quality)).casefold()
         return all(word in text for word in words.casefold().split())
@@ -101,7 +101,7 @@ def scan(
     return rows
 
 
-def look_inside(
+def read_details(
     rows: Collection[SessionRow],
     found: Callable[[SessionRow, Details], None],
     progress: Callable[[float, str], None],

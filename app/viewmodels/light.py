@@ -37,7 +37,7 @@ class LightWatch:
         self._meter: LightMeter | None = None
         self._image: Image | None = None
         self._profile: ColourProfile | None = None
-        self._asked = self._read_at = -np.inf
+        self._requested_at = self._read_at = -np.inf
         self._read: Image | None = None  # the measured image
 
     def work(
@@ -47,10 +47,10 @@ class LightWatch:
 
         ``t`` (s) is the exposure time of a live image, None for a stored or frozen one.
         """
-        early = image is self._image or (t is not None and 0 <= t - self._asked < EVERY)
+        early = image is self._image or (t is not None and 0 <= t - self._requested_at < EVERY)
         if image is None or (early and profile == self._profile):
             return None
-        self._image, self._profile, self._asked = image, profile, -np.inf if t is None else t
+        self._image, self._profile, self._requested_at = image, profile, -np.inf if t is None else t
         known = self._meter
         if known is not None and known.profile != profile:
             known = None
@@ -65,9 +65,9 @@ class LightWatch:
         """Use the result of `work`. Live images without a hand are ignored."""
         self._meter, reading = answer
         has_hand = all(a.kind != "hand" for a in reading.advice)
-        is_kept = not np.isfinite(self._asked)
-        if has_hand or is_kept or self.reading is None or self._asked - self._read_at > KEPT:
-            self.reading, self._read_at, self._read = reading, self._asked, self._image
+        is_kept = not np.isfinite(self._requested_at)
+        if has_hand or is_kept or self.reading is None or self._requested_at - self._read_at > KEPT:
+            self.reading, self._read_at, self._read = reading, self._requested_at, self._image
 
     def is_of(self, image: Image | None) -> bool:
         """Whether the measurement belongs to this image."""

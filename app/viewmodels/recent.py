@@ -15,7 +15,7 @@ from app.words import tr
 MOST = 5
 LOOKED_AT = 20  # newest files that are checked for an interrupted recording
 SUFFIX = ".mcap"
-LOOKS, LOOK_S = 12, 0.5  # checks of a recording that its process may still be finishing
+POLLS, POLL_S = 12, 0.5  # checks of a recording that its process may still be finishing
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,11 +87,11 @@ def is_complete(path: Path, progress: Callable[[float, str], None]) -> bool:
 
     Its process writes the end after the window has closed, and is given some seconds for it.
     """
-    for _ in range(LOOKS):
+    for _ in range(POLLS):
         progress(-1.0, path.name)
         if session_row(path).look is GOOD:
             return True
-        time.sleep(LOOK_S)
+        time.sleep(POLL_S)
     return False
 
 

@@ -102,7 +102,7 @@ class TwoRecordings:
             return None
         return found.offset_s if found.first == self.first.path.name else None
 
-    def keep(self, offset: float) -> Path:
+    def save(self, offset: float) -> Path:
         """Store the offset next to the second recording; returns the file. Raises FileError."""
         path = alignment_path(self.second.path)
         by_clock = (self.second.wall_ns - self.first.wall_ns) / NS

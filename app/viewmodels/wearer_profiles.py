@@ -55,7 +55,7 @@ class WearerProfileModel:
         """The selected profile."""
         return self._selected.profile if self._selected is not None else None
 
-    def put_on(self, name: str, layout: ChainLayout) -> None:
+    def apply_profile(self, name: str, layout: ChainLayout) -> None:
         """Select a profile. Raises FileError if it does not exist or is for another glove."""
         self._selected = self._store.load(name, layout)
         self._last_fit = self._selected.calibration

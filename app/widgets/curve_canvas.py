@@ -123,13 +123,13 @@ class CurveCanvas:
         """Place the label over the plot's view, and render axes and grid if they have changed."""
         plot = self._plot
         view = plot.viewportTransform().mapRect(plot.getPlotItem().vb.sceneBoundingRect())
-        place = view.toAlignedRect().intersected(plot.viewport().rect())
+        position = view.toAlignedRect().intersected(plot.viewport().rect())
         ratio = plot.devicePixelRatioF()
-        if place == self._place and ratio == self._ratio and not self.is_stale:
+        if position == self._place and ratio == self._ratio and not self.is_stale:
             return
-        self._place, self._ratio, self.is_stale = place, ratio, False
-        self.label.setGeometry(place)
-        shape = max(round(place.height() * ratio), 0), max(round(place.width() * ratio), 0)
+        self._place, self._ratio, self.is_stale = position, ratio, False
+        self.label.setGeometry(position)
+        shape = max(round(position.height() * ratio), 0), max(round(position.width() * ratio), 0)
         if shape != self._pixels.shape:
             self._pixels, self._cover = np.empty(shape, np.uint32), np.zeros(shape, np.uint8)
             self._image = _image_of(self._pixels, ratio)

@@ -118,9 +118,9 @@ class CurvePlot(QWidget):
         self._looks, self.curves, self._drawn = tuple(looks), [], ((), 0.0)
         self._canvas.hide()
         for look in looks:
-            place = self._place(look)
-            curve = CurveItem(look, place if isinstance(place, pg.ViewBox) else place.vb)
-            place.addItem(curve)
+            pos = self._place(look)
+            curve = CurveItem(look, pos if isinstance(pos, pg.ViewBox) else pos.vb)
+            pos.addItem(curve)
             self.curves.append(curve)
 
     @property
@@ -189,9 +189,9 @@ class CurvePlot(QWidget):
         if position is not None:
             self.at.setValue(position)
 
-    def _moved(self, place: QPointF) -> None:
-        if self.plot.plotItem.vb.sceneBoundingRect().contains(place):
-            self.pointed.emit(self.plot.plotItem.vb.mapSceneToView(place).x())
+    def _moved(self, pos: QPointF) -> None:
+        if self.plot.plotItem.vb.sceneBoundingRect().contains(pos):
+            self.pointed.emit(self.plot.plotItem.vb.mapSceneToView(pos).x())
 
     def _clicked(self, event: object) -> None:
         at = self.plot.getPlotItem().vb.mapSceneToView(event.scenePos())  # type: ignore[attr-defined]

@@ -125,12 +125,12 @@ class MessageBar(QWidget):
             (t.height() for t in tabs if t.isVisible()), default=0
         )
         height = self.heightForWidth(window.width())
-        place = QRect(0, window.height() - foot - height, window.width(), height)
+        position = QRect(0, window.height() - foot - height, window.width(), height)
         for part, within in self._clear:
             used = self._rect(part) & self._rect(within)
-            if part.isVisible() and used.intersects(place):
-                place.moveBottom(used.top() - 1)
-        self.setGeometry(place)
+            if part.isVisible() and used.intersects(position):
+                position.moveBottom(used.top() - 1)
+        self.setGeometry(position)
 
     def _rect(self, widget: QWidget) -> QRect:
         """Its rectangle in the window; empty for a floating panel."""

@@ -51,7 +51,7 @@ from tracker.session.verify import verify
 
 ABOUT = "take"  # the topic of messages about missing data
 STARTING_MS = 2000  # after the start of an engine its rates are not meaningful yet
-LOOK_MS = 500  # between two checks for missing data
+POLL_MS = 500  # between two checks for missing data
 
 
 class RecordingChecks(QObject):
@@ -88,7 +88,7 @@ class RecordingChecks(QObject):
         if self._check is not None:
             self._check.cancel()  # the next recording needs the disk
         self._messages.hide()  # a message about the previous recording
-        self._looks.start(LOOK_MS)
+        self._looks.start(POLL_MS)
         self._look()
 
     def _look(self) -> None:
@@ -213,7 +213,7 @@ class RecentSessions(QObject):
         host.recording.begun.connect(self._begun)
         host.recording.finished.connect(self._finished)
         page.recover.connect(self.recover)
-        page.recent_asked.connect(library.replay)
+        page.recent_requested.connect(library.replay)
         library.files.made.connect(self.offer)
         library.files.renamed.connect(self._renamed)
         library.files.changed.connect(self._changed)

@@ -23,7 +23,7 @@ from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.stereo.files import load_rig
 from tracker.calibration.still import StillPose
 from tracker.engine.kinds import learns_wearer
-from tracker.fusion.worn import take_gyro_bias
+from tracker.fusion.wearer_learning import take_gyro_bias
 from tracker.glove import library
 from tracker.sensors.camera_controls import Locks, locks_text
 from tracker.sensors.camera_plugins import all_cameras

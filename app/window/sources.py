@@ -130,9 +130,9 @@ class Sources(QObject):
     None of these ends a running recording unless the user confirms it.
     """
 
-    devices_asked = Signal()
-    set_up_asked = Signal()
-    rule_asked = Signal()
+    devices_requested = Signal()
+    set_up_requested = Signal()
+    rule_requested = Signal()
 
     def __init__(
         self, host: EngineHost, store: SettingsStore, messages: MessageBar, window: QWidget
@@ -187,7 +187,7 @@ class Sources(QObject):
     def _devices_begun(self) -> None:
         self.looking_for_devices = True
         self._was_live, self._open_live = True, self.open_devices
-        self.devices_asked.emit()
+        self.devices_requested.emit()
 
     def open_session(self, path: Path, at: float | None = None) -> None:
         """Replay a file in the same panels, paused at ``at`` s if that is given; a file that cannot
@@ -263,9 +263,9 @@ class Sources(QObject):
     def show_device_message(self, text: str) -> None:
         """Show what is missing, with a button to the checklist, until devices are chosen again."""
         self.looking_for_devices = False
-        actions = [(self.tr("Show checklist"), self.set_up_asked.emit)]
+        actions = [(self.tr("Show checklist"), self.set_up_requested.emit)]
         if RULES in text:  # access was denied, and the sentence names the remedy
-            actions.insert(0, (self.tr("Udev rule…"), self.rule_asked.emit))
+            actions.insert(0, (self.tr("Udev rule…"), self.rule_requested.emit))
         self._messages.show_message(text, *actions, about=DEVICES)
         if self._host.setup is None:
             self.plugged.begin()

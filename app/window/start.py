@@ -177,7 +177,7 @@ def _show(
 
     window = MainWindow(store, crashes)
     window.outputs.apart, window.sources.apart = True, apart
-    instance.asked.connect(window.sources.take_over)
+    instance.requested.connect(window.sources.take_over)
     close_on_signals(window)
     keep_pauses_short(window.host)
     window.outputs.use(_streams(options))

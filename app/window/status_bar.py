@@ -20,7 +20,7 @@ PROGRESS_MS = 100  # between two values of a job's progress
 BETWEEN = 12  # px from one to the next
 SHORTENED = ("shed", "latency", "losses")
 """Fields with a shorter text, in the order in which they are shortened."""
-GIVES_WAY = ("latency", "losses", "estimate_rate_hz", "frame_rate_hz", "imu_rate_hz")
+HIDDEN_FIRST = ("latency", "losses", "estimate_rate_hz", "frame_rate_hz", "imu_rate_hz")
 """Fields that are left out where there is too little room, in that order."""
 
 
@@ -92,7 +92,7 @@ class StatusBar(QStatusBar):
         for key in SHORTENED:
             if key in texts and self._fields[key].short and is_full():
                 texts[key] = self._fields[key].short
-        for key in GIVES_WAY:
+        for key in HIDDEN_FIRST:
             if key in texts and self._fields[key].look in (GOOD, IDLE) and is_full():
                 del texts[key]
         for key, chip in self.chips.items():

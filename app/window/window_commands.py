@@ -191,7 +191,7 @@ def _engines(on: Targets, menu: str) -> list[MenuCommand]:
 
 def _replay(on: Targets) -> list[MenuCommand]:
     w, bar = on.window, on.library.transport
-    side_by_side = partial(on.library.compare_selected, beside=True)
+    side_by_side = partial(on.library.compare_selected, as_two_recordings=True)
     menu = w.tr("&Replay")
     return [
         MenuCommand("live", menu, w.tr("Return to li&ve tracking"), on.sources.go_live, "Ctrl+L"),

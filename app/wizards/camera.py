@@ -35,7 +35,7 @@ from app.engines.engine_host import EngineHost
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
 from app.widgets.image_view import ImageView
-from app.wizards.form_dialog import FormDialog, beside, filler, labelled
+from app.wizards.form_dialog import FormDialog, filler, labelled, row_of
 from app.words import local, mark, notice_text, tr
 from tracker.sensors.camera_controls import Control, Locks, locks_from, locks_text
 from tracker.sensors.camera_plugins import all_cameras
@@ -100,10 +100,10 @@ class CameraSetup(FormDialog):
         self.browse = QPushButton(self.tr("&Browse…"))
         self.browse.clicked.connect(self._choose_file)
         form = QFormLayout()
-        form.addRow(labelled(self.tr("&Camera"), self.left), beside(self.left, self.again))
+        form.addRow(labelled(self.tr("&Camera"), self.left), row_of(self.left, self.again))
         form.addRow(self.tr("&Right images from"), self.right)
         form.addRow(
-            labelled(self.tr("&Or number, file"), self.other), beside(self.other, self.browse)
+            labelled(self.tr("&Or number, file"), self.other), row_of(self.other, self.browse)
         )
         self.other_right.setPlaceholderText(
             self.tr("empty, or the number or address of the right camera")
@@ -186,9 +186,9 @@ class CameraSetup(FormDialog):
         """The selection as stored in the settings."""
         left, right = self.left.currentData(), self.right.currentData()
         count = "" if isinstance(right, CameraName) else str(right or "")
-        address, beside = self.other.text().strip(), self.other_right.text().strip()
+        address, row_of = self.other.text().strip(), self.other_right.text().strip()
         if address:
-            return f"{PAIR}{address}|{beside}" if beside else count + address
+            return f"{PAIR}{address}|{row_of}" if row_of else count + address
         if not isinstance(left, CameraName):
             return count
         return by_names(left, right) if isinstance(right, CameraName) else count + by_name(left)

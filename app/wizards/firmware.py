@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 
 from app.engines.engine_host import EngineHost
 from app.platform.tasks import TaskOwner
-from app.wizards.form_dialog import FormDialog, beside, filler
+from app.wizards.form_dialog import FormDialog, filler, row_of
 from app.words import error_text
 from tracker.base.errors import GlovetrackError
 from tracker.firmware.flash import BOOTLOADERS, FlashJob, flash
@@ -71,7 +71,7 @@ class FirmwareSetup(FormDialog):
 
     def _form(self) -> QFormLayout:
         form = QFormLayout()
-        form.addRow(self.tr("Port"), beside(self.ports, self.again))
+        form.addRow(self.tr("Port"), row_of(self.ports, self.again))
         form.addRow(self.tr("&Number of the glove"), self.number)
         form.addRow(self.tr("&Speed"), self.speeds)
         form.addRow(self.tr("&Type of board"), self.boards)

@@ -55,7 +55,7 @@ def labelled(text: str, field: QWidget) -> QLabel:
     return label
 
 
-def beside(wide: QWidget, button: QWidget) -> QHBoxLayout:
+def row_of(wide: QWidget, button: QWidget) -> QHBoxLayout:
     """A field that takes the available width, followed by its button."""
     row = QHBoxLayout()
     row.addWidget(wide, 1)

@@ -92,7 +92,7 @@ class AxesPage(OutcomePage):
         self.tell(self.tr("Evaluating the positions…"), "")
         self.enable(False)
 
-    def show_result(self, found: AxesWords) -> None:
+    def show_result(self, found: AxesTexts) -> None:
         """Show the result."""
         self.tell(found.heading, found.words, found.rows, found.colours)
         self.enable(True)
@@ -223,7 +223,7 @@ class PositionsDialog(LeadingDialog):
 
     def _evaluated(self, rows: list[ImuAxesRow]) -> None:
         self._rows = rows
-        self.outcome.show_result(axes_words(rows, self._setup.connection.own_file))
+        self.outcome.show_result(axes_texts(rows, self._setup.connection.own_file))
 
     def _failed(self, why: str) -> None:
         self.outcome.tell(self.tr("The result cannot be used"), why)
@@ -332,7 +332,7 @@ class PositionsRun:
         return out
 
 
-class AxesWords(NamedTuple):
+class AxesTexts(NamedTuple):
     """Rows of the table with the colour of each, a heading and a sentence; ``usable`` are the
     results that can be saved."""
 
@@ -343,7 +343,7 @@ class AxesWords(NamedTuple):
     usable: list[ImuAxesRow]
 
 
-def axes_words(found: Sequence[ImuAxesRow], file: str) -> AxesWords:
+def axes_texts(found: Sequence[ImuAxesRow], file: str) -> AxesTexts:
     """The texts of the result; ``file`` is the name of the file that *Save* writes."""
     usable = [row for row in found if row.is_usable]
     rows = [(display_name(r.name), _size(r, "accel"), _size(r, "gyro"), _verdict(r)) for r in found]
@@ -351,14 +351,14 @@ def axes_words(found: Sequence[ImuAxesRow], file: str) -> AxesWords:
     heading = tr("{} of {} IMUs measured").format(len(usable), len(found))
     if not usable:
         words = tr("Repeat the positions, and hold each one still for two seconds.")
-        return AxesWords(heading, words, rows, colours, usable)
+        return AxesTexts(heading, words, rows, colours, usable)
     worst = max(max(_largest(r, "accel"), _largest(r, "gyro")) for r in usable)
     left = max(max(_sd(r, "accel"), _sd(r, "gyro")) for r in usable)
     words = tr(
         "Scale and axes deviate by up to {} %. With the corrections {} % remain (standard "
         "deviation). Save writes them to the glove file {} and uses them at once."
     ).format(f"{local(100 * worst):.1f}", f"{local(100 * left):.1f}", file)
-    return AxesWords(heading, words, rows, colours, usable)
+    return AxesTexts(heading, words, rows, colours, usable)
 
 
 def _largest(row: ImuAxesRow, kind: str) -> float:

@@ -117,7 +117,7 @@ def simulate_vehicles(args: VehiclesArguments) -> int:
     print(f"{args.count} vehicles listen for MAVLink on 127.0.0.1:{simulator.port}.", flush=True)
     simulator.wait(args.seconds)
     simulator.close()
-    print(f"{simulator.fleet.asked} of them received a target position.")
+    print(f"{simulator.fleet.requested} of them received a target position.")
     return 0
 
 

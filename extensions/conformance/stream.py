@@ -50,7 +50,7 @@ class IsaacPublisher:
     def send(self, estimate: Estimate) -> None:
         self._send(self._names, estimate)
 
-    def beside(self, names: Names) -> OtherHand:
+    def for_other_hand(self, names: Names) -> OtherHand:
         """A publisher of another hand to the same record."""
         return OtherHand(self.name, partial(self._send, names))
 
@@ -90,4 +90,4 @@ def open_stream(options: IsaacOptions, hands: Sequence[Names]) -> Iterator[Publi
     first, *others = (names.with_openxr() for names in hands)
     record = IsaacPublisher(first, Path(options.file), tips=options.tips)
     yield record
-    yield from map(record.beside, others)
+    yield from map(record.for_other_hand, others)

@@ -80,8 +80,8 @@ class FoxglovePublisher:
         origins: Collection[str] = (),
         others: Sequence[Names] = (),
     ) -> None:
-        """``others``: further hands, see `beside`. Stamps are those of the session's clocks, by the
-        anchor of ``names``; for names without one, of this computer's.
+        """``others``: further hands, see `for_other_hand`. Stamps are those of the session's
+        clocks, by the anchor of ``names``; for names without one, of this computer's.
 
         ``origins``: further sites whose pages may connect, such as ``https://viz.example.org``.
         """
@@ -117,7 +117,7 @@ class FoxglovePublisher:
     def send(self, estimate: Estimate) -> None:
         self._send(self._hands[0], estimate)
 
-    def beside(self, names: Names) -> OtherHand:
+    def for_other_hand(self, names: Names) -> OtherHand:
         """One of the others of the beginning."""
         (hand,) = (h for h in self._hands if h.names is names)
         return OtherHand(self.name, partial(self._send, hand))
@@ -242,7 +242,7 @@ def open_stream(options: FoxgloveOptions, hands: Sequence[Names]) -> Iterator[Pu
     first, *others = hands
     server = FoxglovePublisher(first, options.host, options.port, origins=origins, others=others)
     yield server
-    yield from map(server.beside, others)
+    yield from map(server.for_other_hand, others)
 
 
 # ---- the hand as a robot for Foxglove: model (URDF), joint states and frames as in recordings

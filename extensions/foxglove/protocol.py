@@ -88,8 +88,8 @@ class Subscriptions:
                 for one in request["subscriptions"]:
                     self._add(_uint32(one["id"]), _uint32(one["channelId"]))
             elif op == "unsubscribe":
-                gone = {_uint32(number) for number in request["subscriptionIds"]}
-                self.by_channel = {c: s for c, s in self.by_channel.items() if s not in gone}
+                removed = {_uint32(number) for number in request["subscriptionIds"]}
+                self.by_channel = {c: s for c, s in self.by_channel.items() if s not in removed}
             else:
                 raise ProtocolError(notice("foxglove.no_operation", operation=op))
         except (ValueError, KeyError, TypeError, RecursionError) as error:

@@ -27,7 +27,7 @@ from tracker.base.files import check_target, sha256, whole_files
 from tracker.base.urgency import usable_cores
 from tracker.base.workers import (
     ALL_CORES,
-    WorkersAsked,
+    WorkerRequest,
     WorkItem,
     run_all,
     some_workers,
@@ -45,7 +45,7 @@ def export_lerobot(
     folder: Path,
     options: ExportOptions,
     watch: Callable[[float], None] = lambda share: None,
-    asked: WorkersAsked = ALL_CORES,
+    pool: WorkerRequest = ALL_CORES,
 ) -> dict[str, Any]:
     """Export sessions, including those in folders, as the data set ``folder``, which must not
     exist.
@@ -63,7 +63,7 @@ def export_lerobot(
         partial.mkdir()
         largest = LARGEST_DATA_MB * 2**20
         jobs = file_jobs(partial.absolute(), layout, episodes, tasks, largest)
-        written = _write(jobs, watch, asked)
+        written = _write(jobs, watch, pool)
         write_meta(partial, layout, written, tasks)
         report = _report(paths, folder, options, layout, written, tasks)
         report_file.write_text(json.dumps(report, indent=2) + "\n", "utf-8")
@@ -77,12 +77,12 @@ def _check(options: ExportOptions) -> None:
 
 
 def _write(
-    jobs: Sequence[FileJob], watch: Callable[[float], None], asked: WorkersAsked
+    jobs: Sequence[FileJob], watch: Callable[[float], None], pool: WorkerRequest
 ) -> list[WrittenEpisode]:
-    if len(jobs) == 1 and not asked.dask:
+    if len(jobs) == 1 and not pool.dask:
         return write_file(jobs[0], watch)
     items = [WorkItem(write_file, (job,), sum(e.frames for e in job.episodes)) for job in jobs]
-    with some_workers(min(asked.processes or usable_cores(), len(jobs)), asked.dask) as workers:
+    with some_workers(min(pool.processes or usable_cores(), len(jobs)), pool.dask) as workers:
         outcomes = run_all(items, workers, watch)
     failed = [o.error for o in outcomes if o.error]
     if failed:

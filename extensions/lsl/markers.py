@@ -21,7 +21,7 @@ from tracker.streaming.remote.reception import Answer, DoorCounts, Reception
 from tracker.streaming.remote.request import MOST_TEXT, Request
 
 TYPE = "Markers"
-LOOK_EVERY, MEASURE_EVERY = 0.5, 5.0  # s: for streams, and how far their clocks are
+POLL_EVERY, MEASURE_EVERY = 0.5, 5.0  # s: for streams, and how far their clocks are
 PULL_EVERY = 0.005  # s
 MEASURE_WAIT = 2.0  # s that the other side may take to report its clock
 HOLD = 8.0  # s that a stream's first markers wait in its inlet for that
@@ -74,7 +74,7 @@ class MarkerDoor:
         while not self._ended.wait(PULL_EVERY):
             now = self._clock()
             if now >= due:
-                due = now + LOOK_EVERY
+                due = now + POLL_EVERY
                 self._look()
             for stream in self._streams.values():
                 if now >= stream.measured + MEASURE_EVERY:
@@ -87,9 +87,9 @@ class MarkerDoor:
     def _look(self) -> None:
         """Adds new streams and removes those that have ended."""
         found = {info.uid(): info for info in self._resolver.results()}
-        gone = {uid for uid, stream in self._streams.items() if uid not in found or stream.lost}
-        self._lost = (self._lost | gone) & set(found)  # the resolver lists them for a while
-        for uid in gone:
+        removed = {uid for uid, stream in self._streams.items() if uid not in found or stream.lost}
+        self._lost = (self._lost | removed) & set(found)  # the resolver lists them for a while
+        for uid in removed:
             self._streams.pop(uid).inlet.close_stream()
         for uid, info in found.items():
             if (
@@ -102,7 +102,7 @@ class MarkerDoor:
 
     def _measure(self, stream: _Stream, now: float) -> None:
         """How far its clock is; where that fails, what was known stays."""
-        stream.measured = now if math.isfinite(stream.offset) else now - MEASURE_EVERY + LOOK_EVERY
+        stream.measured = now if math.isfinite(stream.offset) else now - MEASURE_EVERY + POLL_EVERY
         try:
             stream.offset = stream.inlet.time_correction(MEASURE_WAIT)
             stream.measured = now

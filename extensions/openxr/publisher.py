@@ -64,7 +64,7 @@ class WorldPlacement:
 
 
 class OpenXrPublisher:
-    """Writes one hand; `beside` adds the other one.
+    """Writes one hand; `for_other_hand` adds the other one.
 
     Raises StreamError where the memory cannot be created or another program has it.
     """
@@ -94,7 +94,7 @@ class OpenXrPublisher:
         self._begin(placement)
         self._add(names.side)
 
-    def beside(self, names: Names) -> OtherHand:
+    def for_other_hand(self, names: Names) -> OtherHand:
         """The other hand in the same memory. Raises StreamError for the same side again."""
         if names.side in self._series:
             raise StreamError(notice("openxr.one_hand", side=names.side))
@@ -190,7 +190,7 @@ def open_stream(options: OpenXrOptions, hands: Sequence[Names]) -> Iterator[Publ
     first, *others = (names.with_openxr() for names in hands)
     publisher = OpenXrPublisher(first, placement)
     yield publisher
-    yield from map(publisher.beside, others)
+    yield from map(publisher.for_other_hand, others)
 
 
 # ---- from estimates to the joints that an API layer may report: all of them, or no hand

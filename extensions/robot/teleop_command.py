@@ -153,10 +153,10 @@ class _StateSender:
 
 
 MOST_BYTES = 65536
-LOOK_EVERY = 0.25  # s between checks whether to stop
+POLL_EVERY = 0.25  # s between checks whether to stop
 
 Latest = Callable[[], str | bytes | None]
-"""Returns the newest of the waiting messages, or None after `LOOK_EVERY` without one."""
+"""Returns the newest of the waiting messages, or None after `POLL_EVERY` without one."""
 
 
 class StreamEnded(Exception):
@@ -211,7 +211,7 @@ def _datagrams(port: int) -> Iterator[Latest]:
 
     def latest() -> bytes | None:
         data: bytes | None = None
-        receiving.settimeout(LOOK_EVERY)
+        receiving.settimeout(POLL_EVERY)
         try:
             while True:
                 data = receiving.recv(MOST_BYTES)
@@ -237,7 +237,7 @@ def _websocket(url: str) -> Iterator[Latest]:
 
     def latest() -> str | bytes | None:
         data: str | bytes | None = None
-        timeout = LOOK_EVERY
+        timeout = POLL_EVERY
         try:
             while True:
                 data, timeout = connection.recv(timeout), 0.0

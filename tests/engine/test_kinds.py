@@ -23,7 +23,7 @@ from tracker.engine.kinds import (
     settings_text,
 )
 from tracker.engine.settings import Settings
-from tracker.fusion.worn import learner_of
+from tracker.fusion.wearer_learning import learner_of
 from tracker.vision.lenses import with_one_camera
 from tracker.vision.rig import ideal_rig
 

@@ -117,7 +117,7 @@ def test_a_loaded_profile_is_part_of_the_state(hand, glove, tracked, pipeline):
     """A recording that begins before the hand is found starts with the same profile again."""
     sim, _, rest = tracked
     waiting = Pipeline(hand, glove, sim.rig)
-    waiting.engine.put_on(pipeline.engine.profile())
+    waiting.engine.apply_profile(pipeline.engine.profile())
     twin = Pipeline(hand, glove, sim.rig)
     engine, state = unpack(pack("chain", waiting.get_state()))
     twin.set_state(state)
@@ -132,7 +132,7 @@ def test_a_profile_loaded_while_frozen_is_frozen(hand, glove, tracked, pipeline)
     profile = pipeline.engine.profile()
     other = Pipeline(hand, glove, sim.rig)
     other.engine.wearer.freeze(True)
-    other.engine.put_on(profile)
+    other.engine.apply_profile(profile)
     feed(other, rest[: len(rest) // 3])
     np.testing.assert_array_equal(other.engine.profile().scale, profile.scale)
     np.testing.assert_array_equal(other.calibration().scale, pipeline.calibration().scale)
@@ -142,7 +142,7 @@ def test_an_earlier_session_fixes_bones_but_not_sensors(pipeline):
     engine = pipeline.engine
     profile = engine.profile()
     renewed = control.renewed(profile, engine.layout)
-    engine.put_on(renewed)
+    engine.apply_profile(renewed)
     shown, params = pipeline.calibration(), control.RenewParams()
     assert np.nanmin(shown.mounting_sd) > params.mounting
     assert np.nanmin(shown.gyro_bias_sd) > params.gyro_bias

@@ -16,7 +16,7 @@ def test_a_known_wearer_starts_more_accurately(hand: HandModel, glove: GloveMode
     learned = errors(sim, estimates := feed(first, messages))
     again = Pipeline(hand, glove, sim.rig)
     assert isinstance(first.engine, ChainEngine) and isinstance(again.engine, ChainEngine)
-    again.engine.put_on(first.engine.profile())
+    again.engine.apply_profile(first.engine.profile())
     known = errors(sim, feed(again, messages))
     early = (times(estimates) > 0.5) & (times(estimates) < 4)
     assert known[early].mean() < learned[early].mean()

@@ -77,7 +77,7 @@ def test_other_programs_can_read_it(wearer, tmp_path):
 
 def test_an_engine_continues_with_it(wearer, engine, tmp_path):
     write_wearer(tmp_path / "anna.toml", wearer)
-    engine.put_on(read_wearer(tmp_path / "anna.toml", engine.layout).profile)
+    engine.apply_profile(read_wearer(tmp_path / "anna.toml", engine.layout).profile)
     np.testing.assert_array_equal(engine.profile().scale, wearer.profile.scale)
     np.testing.assert_array_equal(engine.profile().synergies.value, wearer.profile.synergies.value)
     engine.wearer.reset()

@@ -37,7 +37,7 @@ def one_camera(
     shown, errors = [], []
     for message in sim.feed():
         if known is not None and message.t >= put_on_at:
-            engine.put_on(known)
+            engine.apply_profile(known)
             known = None
         if isinstance(message, BlobFrame):
             pipeline.feed_frame(replace(message, right=None))
@@ -78,7 +78,7 @@ def test_a_profile_learned_with_one_camera_keeps_the_size_uncertain(hand, glove,
     _, again, _ = one_camera(simulation(hand, glove, 4, 3.0), stored.profile)
     # 6.5 % of the distance over three axes, as on the first day
     assert np.nanmean(again[-1].keypoint_sd) > 0.008
-    engine.wearer.put_on(stored.profile)
+    engine.wearer.apply_profile(stored.profile)
     engine.wearer.reset(["index_proximal"])  # the state assumes the size
     assert engine.wearer.calibration.known_size_sd > 0.045
 

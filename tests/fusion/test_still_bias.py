@@ -5,7 +5,7 @@ import pytest
 
 from tracker.engine.pipeline import Pipeline
 from tracker.fusion.chain.engine import ChainEngine
-from tracker.fusion.worn import FLOOR, with_gyro_bias
+from tracker.fusion.wearer_learning import FLOOR, with_gyro_bias
 from tracker.vision.rig import ideal_rig
 
 
@@ -16,7 +16,7 @@ def test_a_measured_bias_is_known_before_the_hand_is_seen(hand, glove):
     n = len(glove.imus)
     bias, sd = np.arange(3.0 * n).reshape(n, 3) * 1e-3, np.full(n, 1e-3)
     bias[2], sd[3] = np.nan, np.nan
-    engine.put_on(with_gyro_bias(engine.profile(), engine.layout, bias, sd))
+    engine.apply_profile(with_gyro_bias(engine.profile(), engine.layout, bias, sd))
     after = engine.calibration()
     for i, imu in enumerate(glove.imus):
         row = after.segments.index(imu.segment)

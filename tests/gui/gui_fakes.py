@@ -282,7 +282,7 @@ GLOVE_REPORT = GloveReport(
     state="streaming",
     baud=250_000,
     rates_hz=(50, 100, 200),
-    rate_asked_hz=100,
+    requested_rate_hz=100,
     rate_hz=100.02,
     glove_id=1234,
     firmware=(1, 2, 0),
@@ -310,7 +310,7 @@ class ScriptedGlove:
 
     def request_rate(self, rate_hz: int) -> None:
         measured = float(rate_hz) if self.obeys else self.now.rate_hz
-        self.now = self.now._replace(rate_asked_hz=rate_hz, rate_hz=measured)
+        self.now = self.now._replace(requested_rate_hz=rate_hz, rate_hz=measured)
 
     def vibrate(self, channel: int, amplitude: int, duration_ms: int) -> bool:
         self.vibrated.append((channel, amplitude, duration_ms))

@@ -93,7 +93,7 @@ def test_a_normal_exit_leaves_nothing(tmp_path):
 def test_a_running_process_is_not_a_crash(tmp_path):
     first = CrashWatch(tmp_path)
     try:
-        assert CrashWatch._look_back(first) is None
+        assert CrashWatch._rename_old_logs(first) is None
     finally:
         first.end()
 

@@ -60,7 +60,7 @@ def calibration_covariance(engine: ChainEngine) -> Array:
 def teach(engine: ChainEngine, length: float) -> None:
     """Sets the filter's estimate of the hand to ``length`` times the file's."""
     profile = engine.profile()
-    engine.put_on(
+    engine.apply_profile(
         dataclasses.replace(profile, scale=np.full_like(profile.scale, length), P=profile.P / 16)
     )
 

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QFileDialog
 from app.storage.colour_store import ColourStore
 from app.storage.image_folder import MOST, ImageFolder, StoredImage, read_image
 from app.viewmodels import colour_search
-from app.viewmodels.colour_fits import fit_words
+from app.viewmodels.colour_fits import fit_text
 from app.viewmodels.colour_images import (
     ROOM_EVERY,
     in_range,
@@ -417,7 +417,7 @@ def test_the_oldest_stored_image_is_removed_first(tmp_path):
     folder = ImageFolder(tmp_path)
     tiny = np.zeros((4, 4, 3), np.uint8)
     for i in range(MOST + 2):
-        folder.keep(StoredImage(f"{i:03d}", tiny))
+        folder.store(StoredImage(f"{i:03d}", tiny))
     assert folder.names() == [f"{i:03d}" for i in range(2, MOST + 2)]
     assert read_image(folder.path("002")).right is None
 
@@ -555,7 +555,7 @@ def test_learned_background_colours_are_not_reported():
 def test_a_single_patch_is_reported_in_the_singular():
     profile = models()[2]
     found = [FoundHue(h, n, 0) for n, h in enumerate(profile.hues[:2], start=1)]
-    message = fit_words(found, profile)
+    message = fit_text(found, profile)
     assert message.startswith("Fitted red (1 patch), yellow (2 patches). Not changed: green, blue")
 
 

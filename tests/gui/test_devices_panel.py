@@ -150,7 +150,7 @@ def test_every_readable_value_is_listed_with_its_unit(devices):
 
 def test_a_change_waits_for_apply_and_can_be_reverted(devices, glove, store):
     choose(devices, RATE, 50)
-    assert devices.edits == {RATE: 50} and glove.now.rate_asked_hz == 100
+    assert devices.edits == {RATE: 50} and glove.now.requested_rate_hz == 100
     assert "not applied" in shown(devices, RATE)[1]
     assert devices.tree.items[RATE].font(0).bold()
     again(devices)
@@ -160,7 +160,7 @@ def test_a_change_waits_for_apply_and_can_be_reverted(devices, glove, store):
     choose(devices, RATE, 50)
     devices.apply.click()
     again(devices)
-    assert glove.now.rate_asked_hz == 50 and store.value.glove_rate == 50
+    assert glove.now.requested_rate_hz == 50 and store.value.glove_rate == 50
     assert "confirmed by the device" in shown(devices, RATE)[1]
     assert devices.edits == {} and not devices.tree.items[RATE].font(0).bold()
 

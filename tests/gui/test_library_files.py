@@ -306,7 +306,7 @@ def test_a_preset_restores_formats_and_options(library, window, store, qtbot):
     tick(dialog, "trc", "mot")
     dialog.units.setCurrentIndex(dialog.units.findData("mm"))
     dialog.rate.setValue(60.0)
-    dialog.presets.keep(" OpenSim  at 60 ")
+    dialog.presets.save_preset(" OpenSim  at 60 ")
     tick(dialog, "csv")
     dialog.rate.setValue(0.0)
     dialog.presets.box.setCurrentIndex(0)

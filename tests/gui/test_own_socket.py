@@ -177,7 +177,7 @@ def test_another_users_listener_is_rejected(shared, monkeypatch, name, capsys):
 def test_another_user_cannot_connect_to_the_window(shared, monkeypatch, name, qtbot):
     no_login_folder(monkeypatch)
     instance, asked = Instance(name), []
-    instance.asked.connect(lambda path, _at: asked.append(path))
+    instance.requested.connect(lambda path, _at: asked.append(path))
     address = Path(addresses(name)[0])
     try:
         for opened in (False, True):  # even if the folder is made accessible later
@@ -225,7 +225,7 @@ def test_the_grammar_of_answers():
 
 def test_the_socket_serves_its_own_user(name, qtbot):
     instance, asked = Instance(name), []
-    instance.asked.connect(lambda path, _at: asked.append(path))
+    instance.requested.connect(lambda path, _at: asked.append(path))
     try:
         socket = QLocalSocket()
         socket.connectToServer(addresses(name)[0])

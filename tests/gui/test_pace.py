@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from app.viewmodels.signal_curves import FIRST_CAPACITY, TimedRows
-from app.window.ticker import LOW_LATENCY_SHARE, STARVED, STRAINED, Pace
+from app.window.ticker import LOW_LATENCY_SHARE, OVERLOADED, STARVED, Pace
 
 COST = 0.02  # s of processor time a drawing, at 60 calls a second
 
@@ -32,15 +32,15 @@ def test_load_reduces_the_rate_and_it_is_restored():
     pace = Pace()
     for _ in range(20):
         pace.look(True)
-    assert pace.share == STRAINED.share
+    assert pace.share == OVERLOADED.share
     _, share = drawings(pace, 10.0, cost=0.01)
-    assert share <= STRAINED.share  # 0.01 s of work in 0.04 s, less than `STRAINED.slowest`
+    assert share <= OVERLOADED.share  # 0.01 s of work in 0.04 s, less than `OVERLOADED.slowest`
     for _ in range(151):  # four a second: half a minute and more
         pace.look(False)
     assert pace.share == 1.0
 
 
-@pytest.mark.parametrize(("starved", "floor"), [(False, STRAINED), (True, STARVED)])
+@pytest.mark.parametrize(("starved", "floor"), [(False, OVERLOADED), (True, STARVED)])
 def test_a_slow_window_is_drawn_at_the_minimum_rate(starved, floor):
     """The more tracking lacks, the less remains to the window."""
     pace = Pace()

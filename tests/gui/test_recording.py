@@ -166,7 +166,7 @@ def test_a_slow_disk_is_not_waited_for(engine, tmp_path, qapp, monkeypatch):
     assert not recording.begin(RecordingRequest(tmp_path / "b.mcap", "", ""))
     assert "a.mcap is still being written" in failures[0]
     behind.close()
-    recording.look()
+    recording.poll()
     assert finished == [path] and not recording.closing
     assert recording.begin(RecordingRequest(tmp_path / "b.mcap", "", ""))
 

@@ -120,7 +120,7 @@ def test_leftovers_of_a_crashed_window_do_not_stop_the_next(qtbot):
 def test_a_second_window_leaves_the_socket_to_the_first(qtbot):
     name = f"glovetrack-test-{uuid.uuid4().hex}"
     first, asked = Instance(name), []
-    first.asked.connect(lambda *what: asked.append(what))
+    first.requested.connect(lambda *what: asked.append(what))
     second = Instance(name)
     try:
         assert (first.listening, second.listening) == (True, False)
@@ -132,7 +132,7 @@ def test_a_second_window_leaves_the_socket_to_the_first(qtbot):
 def test_invalid_data_on_the_socket_are_rejected(qtbot):
     name = f"glovetrack-test-{uuid.uuid4().hex}"
     instance, asked = Instance(name), []
-    instance.asked.connect(lambda *what: asked.append(what))
+    instance.requested.connect(lambda *what: asked.append(what))
     try:
         for nonsense in (
             b"[]\n",

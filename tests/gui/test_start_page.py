@@ -198,7 +198,7 @@ CUT_OFF, WHOLE = "P02_fist.mcap", "P01_pinch.mcap"
 def test_a_start_after_a_crash_reports_the_recovered_recording(
     sessions, store, qtbot, no_leaks, tmp_path, name, monkeypatch
 ):
-    monkeypatch.setattr("app.viewmodels.recent.LOOKS", 1)
+    monkeypatch.setattr("app.viewmodels.recent.POLLS", 1)
     store.update(recording=str(sessions / name))
     logs = tmp_path / "logs"
     logs.mkdir()

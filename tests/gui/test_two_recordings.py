@@ -174,7 +174,7 @@ def test_by_movement_the_offset_is_found_and_kept_for_the_next_time(tmp_path):
     found = pair.by_movement()
     assert found.offset == pytest.approx(2.34, abs=0.003) and found.correlation > 0.95
     assert pair.kept is None
-    assert pair.keep(found.offset) == tmp_path / "b.aligned.json"
+    assert pair.save(found.offset) == tmp_path / "b.aligned.json"
     assert pair.kept == pytest.approx(2.34, abs=0.003)
     assert replace(pair, first=take("c.mcap", 0.0)).kept is None, "it is of another pair"
     assert read_alignment(tmp_path / "b.aligned.json").clocks_differ_s == pytest.approx(

@@ -36,7 +36,7 @@ class Worn(ScriptedEngine):
     def learn(self, scale: float) -> None:
         profile = self.inner.profile()
         learned = dataclasses.replace(profile, scale=np.full_like(profile.scale, scale))
-        self.inner.put_on(dataclasses.replace(learned, P=profile.P / 16))
+        self.inner.apply_profile(dataclasses.replace(learned, P=profile.P / 16))
 
     @property
     def scale(self) -> float:

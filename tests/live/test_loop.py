@@ -313,8 +313,8 @@ def test_images_are_not_starved_by_packets_that_wait(sim, behind):
 def test_rendering_waits_while_a_message_is_processed(sim) -> None:
     loop, _clock = loop_on(sim)
     taken: list[bool] = []
-    loop.seen["right"].followers = (lambda *_: taken.append(loop.priority.is_taken),)
+    loop.seen["right"].followers = (lambda *_: taken.append(loop.priority.has_urgent_work),)
     for message in messages_of(sim)[:20]:
         loop.feed(item(message))
-        assert not loop.priority.is_taken
+        assert not loop.priority.has_urgent_work
     assert taken and all(taken)

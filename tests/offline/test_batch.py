@@ -14,7 +14,7 @@ import pytest
 
 from tests.notices import raises, shows
 from tracker.base.errors import ConfigError, DeviceError, FileError
-from tracker.base.workers import WorkersAsked, WorkItem, dask_workers, run_all
+from tracker.base.workers import WorkerRequest, WorkItem, dask_workers, run_all
 from tracker.cli import main
 from tracker.messages import Estimate
 from tracker.offline.command_runs import BatchJob, plan, table, track_all
@@ -92,7 +92,7 @@ def test_nothing_is_overwritten(folder: Path, tmp_path: Path) -> None:
     precious = tmp_path / "a.mcap"
     precious.write_text("precious")
     jobs = [BatchJob(folder / "a.mcap", precious)]
-    (outcome,) = track_all(jobs, TrackOptions(), lambda share: None, WorkersAsked(1))
+    (outcome,) = track_all(jobs, TrackOptions(), lambda share: None, WorkerRequest(1))
     assert outcome.error is not None and outcome.error.code == "file.exists_force"
     assert shows(table(jobs, [outcome]), "file.exists_force")
     assert precious.read_text() == "precious"
@@ -125,7 +125,7 @@ def test_a_cluster_gives_identical_results(
     with distributed.LocalCluster(
         n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None
     ) as cluster:
-        asked = WorkersAsked(dask=cluster.scheduler_address)
+        asked = WorkerRequest(dask=cluster.scheduler_address)
         outcomes = track_all(jobs, TrackOptions(), shares.append, asked)
     assert [bool(o.error) for o in outcomes] == [False, True, False]
     assert shares[-1] == 1.0 and shares == sorted(shares)

@@ -64,10 +64,10 @@ def test_a_new_rate_is_accepted_while_streaming_and_detected_by_times() -> None:
     run = Run(Scripted(Hello(7, N), 100.0, obeys=True))
     run.go(2.0)
     before, events = run.link.report(), list(run.notices)
-    assert (before.rate_asked_hz, before.glove_id, before.state) == (100, 7, "streaming")
+    assert (before.requested_rate_hz, before.glove_id, before.state) == (100, 7, "streaming")
     assert before.rate_hz == pytest.approx(100.0, rel=0.01)
     run.link.request_rate(50)
-    assert run.link.report().rate_asked_hz == 50
+    assert run.link.report().requested_rate_hz == 50
     run.go(3.0)
     assert run.glove.received[-1] == Rate(50) and run.glove.received.count(Rate(50)) == 1
     assert run.link.report().rate_hz == pytest.approx(50.0, rel=0.01)
@@ -84,7 +84,7 @@ def test_an_ignored_new_rate_is_in_the_report() -> None:
     run.link.request_rate(200)
     run.go(4.0)
     report = run.link.report()
-    assert report.rate_asked_hz == 200 and report.rate_hz == pytest.approx(100.0, rel=0.01)
+    assert report.requested_rate_hz == 200 and report.rate_hz == pytest.approx(100.0, rel=0.01)
     assert [n.values["asked_hz"] for n in run.notices if n.code == "glove.other_rate"] == [200]
 
 

@@ -93,7 +93,7 @@ def tracked(sim: Simulation, sample: str) -> tuple[Pipeline, float]:
             pipeline.feed_imu(message)
     if sample == "chain_previous":
         assert isinstance(pipeline.engine, ChainEngine)
-        pipeline.engine.put_on(pipeline.engine.profile())
+        pipeline.engine.apply_profile(pipeline.engine.profile())
         pipeline.engine.wearer.freeze(True)
     return pipeline, t
 

@@ -171,9 +171,9 @@ class Run:
         if not isinstance(engine, ChainEngine):
             return
         if what == "measured":
-            engine.put_on(measured_profile(engine.layout, 0.19))
+            engine.apply_profile(measured_profile(engine.layout, 0.19))
         elif what == "worn":
-            engine.put_on(engine.profile())
+            engine.apply_profile(engine.profile())
         elif what in ("frozen", "freed"):
             engine.wearer.freeze(what == "frozen")
         elif what == "reset":

@@ -90,7 +90,7 @@ def both(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[SimulatedR
 
 def test_both_gloves_are_serial_lines_with_their_numbers(both: SimulatedRig) -> None:
     assert set(both.files.gloves) == {"left", "right"}
-    reports = find_gloves([str(path) for path in both.files.gloves.values()], patience=10.0)
+    reports = find_gloves([str(path) for path in both.files.gloves.values()], timeout=10.0)
     numbers = {report.path: report.hello.glove_id for report in reports if report.hello}
     assert numbers == {str(both.files.gloves[side]): n for side, n in GLOVE_IDS.items()}
 
@@ -115,7 +115,7 @@ def test_a_glove_is_unplugged_and_plugged_by_commands(both: SimulatedRig) -> Non
     assert both.execute("unplug left") == "The left glove is unplugged already."
     assert not left.is_symlink() and right.exists()
     assert both.execute("plug left") == "The left glove is plugged."
-    (report,) = find_gloves([str(left)], patience=10.0)
+    (report,) = find_gloves([str(left)], timeout=10.0)
     assert report.hello is not None and report.hello.glove_id == GLOVE_IDS["left"]
     assert both.execute("plug right") == "The right glove is plugged already."
     for nonsense in ("", "plug", "pull left", "plug middle", "board left"):

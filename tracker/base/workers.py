@@ -20,7 +20,7 @@ from tracker.base.notices import Notice, failure, notice
 from tracker.base.numeric_threads import limit_this_process
 
 REPORT_EVERY = 0.25  # s between two reports of one task
-LOOK_EVERY = 0.2  # s
+POLL_EVERY = 0.2  # s
 DASK_TIMEOUT = 10  # s
 READ_WITHIN = 10.0  # s, for a note that is there
 
@@ -44,14 +44,14 @@ class TaskOutcome:
 
 
 @dataclass(frozen=True)
-class WorkersAsked:
+class WorkerRequest:
     """``processes``: one per core if None. ``dask``: address of a cluster that does it instead."""
 
     processes: int | None = None
     dask: str = ""
 
 
-ALL_CORES = WorkersAsked()
+ALL_CORES = WorkerRequest()
 """For this machine."""
 
 
@@ -152,7 +152,7 @@ def run_all(
     pending = set(futures)
     try:
         while pending:
-            done, pending = wait(pending, LOOK_EVERY, FIRST_COMPLETED)
+            done, pending = wait(pending, POLL_EVERY, FIRST_COMPLETED)
             for i, share in _notes(board):
                 shares[i] = max(shares[i], share)
             for future in done:

@@ -106,7 +106,7 @@ class LightMeter:
         smooth = smoothed(image) if noise > p.noise else image
         both = [_patches(smooth, wide.detect(smooth)[0], p) for wide in self._any]
         seen = _of_one_hand(_named(_whole(*both), self.profile), p)
-        others = _beside(blobs, seen)
+        others = _neighbours(blobs, seen)
         names = enumerate(self.profile.hue_names)
         reading = LightReading(
             uv=seen.uv,
@@ -219,7 +219,7 @@ def _near(uv: Array, hue: IntArray, blobs: Blobs, reach: float) -> NDArray[np.bo
     return np.any((gap < reach) & (hue[:, None] == blobs.hue[None]), axis=1)
 
 
-def _beside(blobs: Blobs, seen: _Patches) -> IntArray:
+def _neighbours(blobs: Blobs, seen: _Patches) -> IntArray:
     """Hues (k,) of the blobs that are not patches."""
     gap = np.linalg.norm(blobs.uv[:, None] - seen.uv[None], axis=2)
     return blobs.hue[~np.any(gap < seen.radius[None] + 2, axis=1)]

@@ -34,7 +34,7 @@ class Capabilities:
     one_lens: bool = True
     """Can follow the images of one lens alone."""
     wearer: bool = False
-    """Learns the wearer from profiles and guided poses, see `tracker.fusion.worn.LearnsWearer`."""
+    """Learns the wearer from profiles and guided poses: a `wearer_learning.LearnsWearer`."""
     smoothing: bool = False
     """`tracker.offline.smooth` can smooth a recording with its settings."""
 

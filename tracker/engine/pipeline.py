@@ -14,7 +14,7 @@ from tracker.engine.kinds import build_engine, capabilities_of
 from tracker.engine.settings import Settings
 from tracker.fusion.chain.guided.events import guided_of
 from tracker.fusion.chain.pose_reset import is_reset
-from tracker.fusion.worn import learner_of
+from tracker.fusion.wearer_learning import learner_of
 from tracker.glove.correction import ImuCorrection
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel

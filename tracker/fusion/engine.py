@@ -35,7 +35,7 @@ class Engine(Protocol):
 
     Engines derive from this class, which has defaults for optional methods. What must be known
     before an engine is created is in `tracker.engine.kinds.Capabilities`; an engine that learns the
-    wearer is also a `tracker.fusion.worn.LearnsWearer`.
+    wearer is also a `tracker.fusion.wearer_learning.LearnsWearer`.
     """
 
     @abstractmethod

@@ -187,11 +187,11 @@ class GestureRecogniser:
         if one.active and math.isnan(one.value):
             return t - one.known > LOSES_AFTER
         if one.active:
-            speaks = one.value < ENDS_AT or not leads
-        elif speaks := one.value > BEGINS_AT:
+            is_evident = one.value < ENDS_AT or not leads
+        elif is_evident := one.value > BEGINS_AT:
             start = self._start(name)
-            speaks = one.value > start.above
-        if not speaks:
+            is_evident = one.value > start.above
+        if not is_evident:
             one.since = math.nan
             return False
         if math.isnan(one.since):

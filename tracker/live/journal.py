@@ -10,7 +10,7 @@ from tracker.base.notices import Notice, Outbox
 from tracker.live.recording import Recorder, RecordingThread
 from tracker.messages import Event, Message
 
-EVENTS_KEPT = 2000  # until they are drained
+EVENTS_STORED = 2000  # until they are drained
 
 
 class Watch(Protocol):
@@ -25,7 +25,7 @@ class Journal:
 
     def __init__(self, clock: Callable[[], float]) -> None:
         self._clock = clock
-        self._events: Fifo[Event] = Fifo(EVENTS_KEPT)
+        self._events: Fifo[Event] = Fifo(EVENTS_STORED)
         self._disk: RecordingThread | None = None
 
     def report(self, kind: str, what: Notice) -> None:

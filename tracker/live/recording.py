@@ -18,7 +18,7 @@ _log = logging.getLogger(__name__)
 MAX_IMAGES_WAITING = 24  # 130 MB at 720p
 MAX_WAITING = 20_000  # messages: a minute
 BATCH = 0.04  # s that messages wait to go together: each wake-up of a thread disturbs the others
-LOOK_EVERY = 0.25  # s between checks of the recorder while there is nothing to write
+POLL_EVERY = 0.25  # s between checks of the recorder while there is nothing to write
 
 
 class Recorder(Protocol):
@@ -92,7 +92,7 @@ class RecordingThread:
 
     def _write_waiting(self) -> None:
         """Writes all queued messages. Raises Closed at the end."""
-        first = self._queue.get(LOOK_EVERY)
+        first = self._queue.get(POLL_EVERY)
         for item in (first, *self._queue.drain()) if first is not None else ():
             self._write(*item)
         self._recorder.flush()

@@ -10,7 +10,7 @@ from tracker.base.errors import ConfigError, FileError
 from tracker.base.notices import notice
 from tracker.base.toml_reader import parse_toml, read_text
 from tracker.fusion.engine import Engine
-from tracker.fusion.worn import keep as save_wearer
+from tracker.fusion.wearer_learning import save_wearer
 from tracker.glove import library
 from tracker.hand.names import SIDES
 from tracker.offline.options import TrackOptions
@@ -19,11 +19,11 @@ from tracker.session.export.run import path_of_side
 from tracker.vision.colours import parse_profile
 
 
-def several(asked: str) -> list[str]:
+def several(requested: str) -> list[str]:
     """Splits names or paths at commas; the path of an existing file may contain a comma."""
-    if Path(asked).is_file():
-        return [asked]
-    return [part.strip() for part in asked.split(",") if part.strip()]
+    if Path(requested).is_file():
+        return [requested]
+    return [part.strip() for part in requested.split(",") if part.strip()]
 
 
 class Replacement(NamedTuple):
@@ -43,8 +43,8 @@ def replacements(options: TrackOptions, both: bool) -> dict[str, Replacement]:
     if options.colours:
         out[COLOURS] = Replacement(library.text("colours", options.colours), options.colours)
         parse_profile(*out[COLOURS])
-    for kind, name, asked in (("hands", HAND, options.hand), ("gloves", GLOVE, options.glove)):
-        found = [Replacement(library.text(kind, each), each) for each in several(asked)]
+    for kind, name, requested in (("hands", HAND, options.hand), ("gloves", GLOVE, options.glove)):
+        found = [Replacement(library.text(kind, each), each) for each in several(requested)]
         if both:
             named = {of_side(name, _side_of(each.text, each.origin)): each for each in found}
             if len(named) < len(found):
@@ -64,12 +64,12 @@ def _side_of(text: str, name: str) -> str:
     return str(side)
 
 
-def wearers(asked: str, info: SessionInfo) -> dict[str, Path]:
+def wearers(requested: str, info: SessionInfo) -> dict[str, Path]:
     """Profiles by the side of the hand that each was learned of.
 
     Raises FileError for one that is of no hand of the session, ConfigError for two of one hand.
     """
-    paths = [Path(each) for each in several(asked)]
+    paths = [Path(each) for each in several(requested)]
     if not info.others and len(paths) == 1:
         return {info.side: paths[0]}  # its errors are reported when it is applied
     out: dict[str, Path] = {}
@@ -87,15 +87,17 @@ def wearers(asked: str, info: SessionInfo) -> dict[str, Path]:
     return out
 
 
-def profile_paths(asked: str, both: bool) -> dict[str, Path]:
+def profile_paths(requested: str, both: bool) -> dict[str, Path]:
     """Returns the paths of the learned profiles by side: ``anna_left.toml`` for both hands."""
-    if not asked:
+    if not requested:
         return {}
-    return {side: path_of_side(Path(asked), side) if both else Path(asked) for side in SIDES}
+    return {
+        side: path_of_side(Path(requested), side) if both else Path(requested) for side in SIDES
+    }
 
 
 def save_profiles(engines: Mapping[str, Engine], paths: Mapping[str, Path]) -> None:
-    """Writes the learned profile of each hand. Raises as `tracker.fusion.worn.keep`."""
+    """Writes the learned profile of each hand. Raises as `save_wearer`."""
     for side, engine in engines.items():
         if side in paths:
             save_wearer(engine, paths[side])

@@ -15,7 +15,7 @@ from tracker.base.urgency import usable_cores
 from tracker.base.workers import (
     ALL_CORES,
     TaskOutcome,
-    WorkersAsked,
+    WorkerRequest,
     WorkItem,
     run_all,
     some_workers,
@@ -99,7 +99,7 @@ def _track_many(args: TrackArguments, jobs: Sequence[BatchJob], options: TrackOp
     progress = progress_line(f"tracking {len(jobs)} sessions")
     files = [path for job in jobs for path in (job.source, job.out)]
     check_json(args, files)
-    workers = WorkersAsked(args.jobs, args.dask)
+    workers = WorkerRequest(args.jobs, args.dask)
     outcomes = track_all(jobs, options, progress, workers, args.force)
     finish(args, to_json(jobs, outcomes), table(jobs, outcomes).splitlines(), files)
     failed = sum(bool(o.error) for o in outcomes)
@@ -160,7 +160,7 @@ def track_all(
     jobs: Sequence[BatchJob],
     options: TrackOptions,
     progress: Callable[[float], None],
-    asked: WorkersAsked = ALL_CORES,
+    pool: WorkerRequest = ALL_CORES,
     force: bool = False,
 ) -> list[TaskOutcome]:
     """Track every job, each in a process of its own; an outcome's value is a `TrackReport`.
@@ -175,7 +175,7 @@ def track_all(
         )
         for j in jobs
     ]
-    with some_workers(min(asked.processes or usable_cores(), len(jobs)), asked.dask) as workers:
+    with some_workers(min(pool.processes or usable_cores(), len(jobs)), pool.dask) as workers:
         return run_all(tasks, workers, progress)
 
 

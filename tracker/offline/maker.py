@@ -14,7 +14,7 @@ from tracker.engine.hands import Hands, Sided, is_for
 from tracker.engine.pipeline import Pipeline, PipelineSavedState
 from tracker.engine.settings import Settings
 from tracker.fusion.engine import Engine
-from tracker.fusion.worn import measure, put_on
+from tracker.fusion.wearer_learning import load_wearer, start_with_length
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, CameraImuSample, EngineState, Estimate, Event, ImuSample
@@ -159,7 +159,7 @@ class Maker:
     """For the hands of ``info``, tracked with ``settings``.
 
     Raises FileError and ConfigError for a wearer's profile that does not match a hand of the
-    session; methods raise them as `tracker.fusion.worn.put_on`.
+    session; methods raise them as `tracker.fusion.wearer_learning.load_wearer`.
     """
 
     def __init__(self, info: SessionInfo, settings: Settings, options: TrackOptions) -> None:
@@ -182,7 +182,7 @@ class Maker:
             hand.side: Smoother(replace(hand, rig=info.rig), self._settings) for hand in info.hands
         }
         for side, smoother in smoothers.items():
-            self._put_on(smoother.engine, side)
+            self._load_wearer(smoother.engine, side)
         guide: LiveRun | None = None
         build: dict[str, MakePipeline] = {}
         if len(smoothers) > 1:
@@ -209,14 +209,14 @@ class Maker:
         self, hand: SessionInfo, engine: str, rig: StereoRig | None, build: MakePipeline
     ) -> Pipeline:
         pipeline = build(hand.hand, hand.glove, rig, replace(self._settings, engine=engine))
-        self._put_on(pipeline.engine, hand.side)
+        self._load_wearer(pipeline.engine, hand.side)
         return pipeline
 
-    def _put_on(self, engine: Engine, side: str) -> None:
+    def _load_wearer(self, engine: Engine, side: str) -> None:
         """Begin with a wearer's profile, or with the hand's measured length, if given."""
         if self._options.wearer and self._options.hand_length:
             raise ConfigError(notice("track.hand_length"))
         if side in self._profiles:
-            put_on(engine, self._profiles[side])
+            load_wearer(engine, self._profiles[side])
         if self._options.hand_length:
-            measure(engine, self._options.hand_length)
+            start_with_length(engine, self._options.hand_length)

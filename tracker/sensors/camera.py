@@ -230,10 +230,10 @@ class StereoCamera:
         return None if watch.black else image
 
     def _watch_rate(self) -> None:
-        asked = self._source.fps
+        requested = self._source.fps
         full = len(self._arrivals) == self._arrivals.maxlen
-        if full and self._source.live and 0 < self.fps < self._params.slow * asked:
-            slow = warning("camera.slow", rate_hz=round(self.fps), asked_hz=round(asked))
+        if full and self._source.live and 0 < self.fps < self._params.slow * requested:
+            slow = warning("camera.slow", rate_hz=round(self.fps), asked_hz=round(requested))
             self._report("rate", slow)
 
     def _report(self, topic: str, what: Notice) -> None:

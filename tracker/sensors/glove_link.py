@@ -99,7 +99,7 @@ class GloveLink:
         self._was_disconnected = False  # its return has not been reported yet
         self._packet_clock = self._new_clock()
         self._wanted_rate = self.params.rate_hz  # set by any thread, sent by the polling one
-        self._rate_asked = float("-inf")  # time of sending
+        self._rate_requested_at = float("-inf")  # time of sending
 
     # ---- public interface
 
@@ -164,7 +164,7 @@ class GloveLink:
             state=self.state.value,
             baud=self.params.baud,
             rates_hz=rates_at(self.params.baud),
-            rate_asked_hz=self._wanted_rate,
+            requested_rate_hz=self._wanted_rate,
             rate_hz=self._packet_clock.rate_hz,
             glove_id=hello.glove_id if hello else None,
             firmware=hello.firmware if hello else None,
@@ -233,7 +233,7 @@ class GloveLink:
         if rate_hz == self.params.rate_hz:
             return
         self.params = replace(self.params, rate_hz=rate_hz)
-        self._rate_asked = self._clock()
+        self._rate_requested_at = self._clock()
         self._events.topics.discard("rate")
         if self.state in (LinkState.STREAMING, LinkState.SILENT):
             self._send(Rate(rate_hz))
@@ -354,7 +354,7 @@ class GloveLink:
             self.figures.clock_jumps += 1
             self._events.report(warning("glove.clock_jumped", jump_s=time_of.jumped))
         self.figures.skew_ppm = self._packet_clock.skew_ppm
-        if now - self._rate_asked > RATE_WITHIN:
+        if now - self._rate_requested_at > RATE_WITHIN:
             judge_rate(self._packet_clock.rate_hz, self.params.rate_hz, self._events)
         if self._ranges is None:
             self._ranges = range_at_rest(frame, time_of.t_device, self._at_rest, self._events)

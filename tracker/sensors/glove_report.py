@@ -11,7 +11,7 @@ from tracker.sensors.serial_line import UsbPort
 class GloveReport(NamedTuple):
     """None or empty where the glove or the system has not reported a value.
 
-    ``rate_asked_hz`` is the requested one of ``rates_hz``; ``rate_hz`` is measured by the glove's
+    ``requested_rate_hz`` is one of ``rates_hz``; ``rate_hz`` is measured by the glove's
     own clock. ``imu_ok`` is, for each IMU, whether it responds.
     """
 
@@ -20,7 +20,7 @@ class GloveReport(NamedTuple):
     state: str
     baud: int
     rates_hz: tuple[int, ...]
-    rate_asked_hz: int
+    requested_rate_hz: int
     rate_hz: float | None
     glove_id: int | None
     firmware: tuple[int, int, int] | None

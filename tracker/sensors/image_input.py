@@ -209,8 +209,8 @@ class SequenceInput:
 def _drain(capture: cv2.VideoCapture, clock: Callable[[], float]) -> None:
     """Discards images that are queued in a camera, until the next one is not yet available."""
     for _ in range(MOST_QUEUED):
-        asked = clock()
-        if not capture.grab() or clock() - asked > AT_ONCE:
+        requested = clock()
+        if not capture.grab() or clock() - requested > AT_ONCE:
             return
 
 

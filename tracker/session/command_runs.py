@@ -8,7 +8,7 @@ from typing import Any
 
 from tracker.base.terminal import check_json, finish, printable, progress_line
 from tracker.base.urgency import usable_cores
-from tracker.base.workers import WorkersAsked, WorkItem, run_all, some_workers
+from tracker.base.workers import WorkerRequest, WorkItem, run_all, some_workers
 from tracker.session.align import read_alignment
 from tracker.session.commands import (
     CompareArguments,
@@ -51,9 +51,9 @@ def run_export(args: ExportArguments) -> int:
     )
     check_json(args, args.files)
     if FORMATS.get(args.format).dataset is not None or len(args.files) > 1:
-        asked = WorkersAsked(args.jobs, args.dask)
+        pool = WorkerRequest(args.jobs, args.dask)
         progress = progress_line("exporting")
-        report = export_dataset(args.files, args.format, args.output, options, progress, asked)
+        report = export_dataset(args.files, args.format, args.output, options, progress, pool)
     else:
         report = export(args.files[0], args.format, args.output, options, force=args.force)
     made = [path_of_side(args.output, side) for side in report.get("hands", ())] or [args.output]

@@ -79,11 +79,11 @@ class SimulatedCamera:
         with contextlib.suppress(OSError):
             self._pipe.send(t_0)
 
-    def ask(self, asked: PostureRequest, pose: str) -> None:
+    def ask(self, request: PostureRequest, pose: str) -> None:
         """Make the wearer assume a posture, that of ``pose`` or (empty) their own; an event is
         recorded as part of the ground truth."""
-        self._asked.append(asked)
-        self._events.append(request_event(asked, pose, seconds(time.monotonic_ns())))
+        self._asked.append(request)
+        self._events.append(request_event(request, pose, seconds(time.monotonic_ns())))
 
     def read(self, timeout: float) -> StereoFrame | None:
         """The next image pair at its time of arrival; None if none arrives within ``timeout``."""
@@ -158,9 +158,9 @@ class NoSimulatedCamera(NoCamera):
     def begin(self, t_0: float) -> None:
         """Does nothing."""
 
-    def ask(self, asked: PostureRequest, pose: str) -> None:
+    def ask(self, request: PostureRequest, pose: str) -> None:
         """As `SimulatedCamera.ask`, for the recording only."""
-        self._events.append(request_event(asked, pose, seconds(time.monotonic_ns())))
+        self._events.append(request_event(request, pose, seconds(time.monotonic_ns())))
 
     def drain_events(self) -> Sequence[Event]:
         out, self._events = self._events, []

@@ -130,15 +130,15 @@ def hands_of(scene: Simulation | TwoHandsSimulation) -> dict[str, Simulation]:
     return scene.hands if isinstance(scene, TwoHandsSimulation) else {scene.hand.side: scene}
 
 
-def ask(simulation: Simulation | TwoHandsSimulation, asked: PostureRequest) -> None:
+def ask(simulation: Simulation | TwoHandsSimulation, request: PostureRequest) -> None:
     """Request a posture; ignored by a wearer who plays a recording or meets another."""
     if isinstance(simulation, Simulation) and isinstance(simulation.motion, RequestedMotion):
-        simulation.motion.ask(asked)
+        simulation.motion.ask(request)
 
 
 def requests_to(simulation: Simulation) -> tuple[PostureRequest, ...]:
     """All postures requested so far."""
-    return simulation.motion.asked if isinstance(simulation.motion, RequestedMotion) else ()
+    return simulation.motion.request if isinstance(simulation.motion, RequestedMotion) else ()
 
 
 def _motion_of(spec: DemoSpec, hand: HandModel, glove: GloveModel) -> SimulatedMotion:

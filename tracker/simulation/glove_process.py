@@ -90,10 +90,10 @@ class GloveProcess:
         with contextlib.suppress(OSError):  # it has ended: the serial link reports that
             self._pipe.send(_Begin(t_0))
 
-    def ask(self, asked: PostureRequest) -> None:
+    def ask(self, request: PostureRequest) -> None:
         """Make the wearer assume a posture."""
         with contextlib.suppress(OSError):
-            self._asked.send(asked)
+            self._asked.send(request)
 
     def close(self) -> None:
         """End the processes, which unplugs the gloves. Idempotent."""

@@ -35,15 +35,15 @@ class PostureRequest(NamedTuple):
     move: float = MOVE
 
 
-def request_event(asked: PostureRequest, pose: str, t: float) -> Event:
+def request_event(request: PostureRequest, pose: str, t: float) -> Event:
     """The recorded event at ``t`` (s): the posture is of ``pose``, or (empty) the wearer's own."""
     data: dict[str, object] = {
-        "t": asked.t,
-        "angles": list(asked.angles),
-        "turning": asked.turning,
+        "t": request.t,
+        "angles": list(request.angles),
+        "turning": request.turning,
     }
-    if asked.place:
-        data |= {"place": list(asked.place), "move": asked.move}
+    if request.place:
+        data |= {"place": list(request.place), "move": request.move}
     if pose:
         return Event.of(t, "device", notice("simulation.pose_shown", pose=pose), {"asked": data})
     return Event.of(t, "device", notice("simulation.pose_over"), {"asked": data})
@@ -72,17 +72,17 @@ class RequestedMotion:
     """
 
     def __init__(self, own: SimulatedMotion, seed: int) -> None:
-        self._own, self.asked = own, tuple[PostureRequest, ...]()
+        self._own, self.request = own, tuple[PostureRequest, ...]()
         self.duration, self.follows_synergies = own.duration, own.follows_synergies
         first = own.poses(np.zeros(1))
         self._R, self._p = first.R_GB[0], first.p_GB[0]
         count = first.angles.shape[1] + 3
         self._sway = SmoothNoise(rng_for(seed, "asked postures"), (count,), SWAY_TIME)
 
-    def ask(self, asked: PostureRequest) -> None:
+    def ask(self, request: PostureRequest) -> None:
         """Thread-safe; replaces earlier requests that are not reached yet."""
-        if asked not in self.asked:
-            self.asked = (*self.asked, asked)
+        if request not in self.request:
+            self.request = (*self.request, request)
 
     def poses(self, t: Array) -> Poses:
         t = np.asarray(t, float)
@@ -90,32 +90,32 @@ class RequestedMotion:
         # including the times of requests: they determine the sign of the quaternions
         at = np.concatenate([t, [a.t for a in count]])
         out = own = self._own.poses(at)
-        for k, asked in enumerate(count):
-            share = minimum_jerk((at - asked.t) / asked.move)
-            there = self._held(at, asked) if asked.angles else own
+        for k, request in enumerate(count):
+            share = minimum_jerk((at - request.t) / request.move)
+            there = self._held(at, request) if request.angles else own
             out = _between(out, there, share, len(t) + k)
         n = len(t)
         return Poses(out.angles[:n], out.R_GB[:n], out.p_GB[:n])
 
     def _relevant(self, t: float) -> tuple[PostureRequest, ...]:
         """The last request reached by ``t``, and all later ones."""
-        asked = self.asked
-        reached = [k for k, a in enumerate(asked) if a.t + a.move <= t]
-        return asked[reached[-1] :] if reached else asked
+        request = self.request
+        reached = [k for k, a in enumerate(request) if a.t + a.move <= t]
+        return request[reached[-1] :] if reached else request
 
-    def _held(self, t: Array, asked: PostureRequest) -> Poses:
+    def _held(self, t: Array, request: PostureRequest) -> Poses:
         sway = np.deg2rad(SWAY_DEG) * self._sway(t)
         R_0, p_0 = self._R, self._p
-        if asked.place:
+        if request.place:
             sway *= AT_REST
-            R_0, p_0 = np.reshape(asked.place[:9], (3, 3)), np.array(asked.place[9:])
+            R_0, p_0 = np.reshape(request.place[:9], (3, 3)), np.array(request.place[9:])
         p = np.tile(p_0, (len(t), 1))
         R = R_0 @ so3.exp(sway[:, -3:])
-        if asked.turning:
-            since = t - asked.t - asked.move
-            roll = TURN * np.cos(2 * np.pi * since / asked.turning)
+        if request.turning:
+            since = t - request.t - request.move
+            roll = TURN * np.cos(2 * np.pi * since / request.turning)
             R = R @ so3.exp(np.outer(roll, [1.0, 0.0, 0.0]))
-        return Poses(np.array(asked.angles) + sway[:, :-3], R, p)
+        return Poses(np.array(request.angles) + sway[:, :-3], R, p)
 
 
 def _between(one: Poses, other: Poses, share: Array, begin: int) -> Poses:

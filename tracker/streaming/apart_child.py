@@ -95,19 +95,19 @@ class _StreamServer:
                 first = stream.first.setdefault(hand, estimate.seq)
                 stream.streams[hand].offer(estimate, estimate.seq - first)
 
-    def handle(self, asked: StreamRequest) -> None:
-        if asked.do == "start":
-            self._answer(asked)
+    def handle(self, request: StreamRequest) -> None:
+        if request.do == "start":
+            self._answer(request)
             return
-        name = f"glovetrack-streams-{asked.do}"
-        threading.Thread(target=self._answer, args=(asked,), name=name, daemon=True).start()
+        name = f"glovetrack-streams-{request.do}"
+        threading.Thread(target=self._answer, args=(request,), name=name, daemon=True).start()
 
     def close(self) -> None:
         self._ended.set()
         for stream in self._open.values():
             stream.close()
 
-    def _answer(self, asked: StreamRequest) -> None:
+    def _answer(self, request: StreamRequest) -> None:
         do = {
             "open": self._make,
             "start": self._start,
@@ -116,11 +116,11 @@ class _StreamServer:
             "read": self._read,
         }
         try:
-            result = do[asked.do](asked.key, asked.data)
+            result = do[request.do](request.key, request.data)
         except Exception as error:  # noqa: BLE001 - reported to the window
-            self._send(StreamReply(asked.number, problem=notice_of(error)))
+            self._send(StreamReply(request.number, problem=notice_of(error)))
         else:
-            self._send(StreamReply(asked.number, result))
+            self._send(StreamReply(request.number, result))
 
     def _make(self, key: int, data: Any) -> list[Title]:
         kind, options, hands = data

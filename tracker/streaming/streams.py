@@ -26,7 +26,7 @@ _log = logging.getLogger(__name__)
 
 BACKLOG = 50  # estimates: half a second; older ones are of no use to a live client
 RATE_WINDOW = 3.0  # s over which rates are counted
-LATE_KEPT = 100  # estimates; a second
+LATE_STORED = 100  # estimates; a second
 END_WAIT = 1.0  # s that `close` allows an output to finish sending
 
 
@@ -42,7 +42,7 @@ class StreamCounts:
     clients: int | None = None  # connected; None if the protocol does not report it
     rates_hz: tuple[float, ...] = ()  # messages per second in the last `RATE_WINDOW`, for each hand
     late: tuple[float, ...] = ()
-    """s from the instants of the last `LATE_KEPT` estimates' samples until they were sent; of no
+    """s from the instants of the last `LATE_STORED` estimates' samples until they were sent; of no
     use in a replay."""
     missed: Mapping[str, int] = field(default_factory=dict)
     """Messages that slow clients missed, by address; "" for clients that have left."""
@@ -150,7 +150,7 @@ class _Output:
         self.queue: Backlog[tuple[int, Estimate]] = Backlog(BACKLOG)
         self._times: deque[float] = deque()  # of what was sent in the last `RATE_WINDOW`
         self._began = time.monotonic()
-        self._late: deque[float] = deque(maxlen=LATE_KEPT)
+        self._late: deque[float] = deque(maxlen=LATE_STORED)
         self._timing = threading.Lock()
         self._sent = self._failed = 0
         self._error: Title = ""

@@ -66,7 +66,7 @@ class WebSocketPublisher:
     def send(self, estimate: Estimate) -> None:
         self._send(self._names, self._gestures, estimate)
 
-    def beside(self, names: Names) -> OtherHand:
+    def for_other_hand(self, names: Names) -> OtherHand:
         """A publisher of another hand for the same clients."""
         return OtherHand(self.name, partial(self._send, names, names.recogniser()))
 
@@ -96,11 +96,11 @@ class WebSocketPublisher:
 
     async def _feed(self, connection: ServerConnection) -> None:
         """Serves one client until it disconnects; its messages are ignored."""
-        asked = _asked_schema(connection, self._schema)
-        if asked not in SCHEMAS:
+        requested = _requested_schema(connection, self._schema)
+        if requested not in SCHEMAS:
             await connection.close(CloseCode.POLICY_VIOLATION, f"schema is one of {SCHEMAS}")
             return
-        client = _Client(ClientQueue(connection), asked)
+        client = _Client(ClientQueue(connection), requested)
         self._clients += (client,)
         sending = asyncio.create_task(client.queue.send())
         try:
@@ -119,7 +119,7 @@ class _Client(NamedTuple):
     schema: int
 
 
-def _asked_schema(connection: ServerConnection, usual: int) -> int:
+def _requested_schema(connection: ServerConnection, usual: int) -> int:
     """The schema in the address ``ws://host:port/?schema=1``; -1 if it is not a number."""
     query = parse_qs(urlsplit(connection.request.path if connection.request else "").query)
     word = query.get("schema", [str(usual)])[-1]
@@ -131,4 +131,4 @@ def open_stream(options: WebSocketOptions, hands: Sequence[Names]) -> Iterator[P
     first, *others = hands
     server = WebSocketPublisher(first, options.host, options.port, options.schema)
     yield server
-    yield from map(server.beside, others)
+    yield from map(server.for_other_hand, others)

@@ -26,7 +26,7 @@ from PySide6.QtCore import QCoreApplication
 from app.engines.apart.messages import (
     LISTENER,
     Answered,
-    Asked,
+    EngineRequest,
     Estimated,
     Failed,
     HandFacts,
@@ -62,7 +62,7 @@ _log = logging.getLogger(__name__)
 IGNORED = ("SIGINT", "SIGHUP")
 """Signals of a terminal to all its processes: the window asks for the end."""
 
-LOOK_EVERY = 0.5  # s between checks whether to end
+POLL_EVERY = 0.5  # s between checks whether to end
 SHORTEST = 0.01  # s, between messages to the window
 SETTLED = 3.0  # s after the start of tracking; then all modules and objects that it needs exist
 END = "end"
@@ -216,7 +216,7 @@ class Desk:
         self._pause = 0.0
         self._reporter = threading.Thread(target=self._report, name="glovetrack-news", daemon=True)
         self._arrival: dict[int, tuple[float, float]] = {}  # of the last estimate, by hand
-        self._requests: queue.SimpleQueue[Asked | None] = queue.SimpleQueue()
+        self._requests: queue.SimpleQueue[EngineRequest | None] = queue.SimpleQueue()
         self._targets: dict[str, object] = {"engine": _EngineTarget(self._setup, self._room)}
         self._targets["files"] = _Files(self._setup, self._room)
         self._targets["streams"] = self._streams = _Streams(self._setup)
@@ -294,39 +294,39 @@ class Desk:
         os._exit(1)
 
     def _work(self) -> None:
-        while (asked := self._requests.get()) is not None:
-            self._answer(asked)
+        while (request := self._requests.get()) is not None:
+            self._answer(request)
 
-    def _answer(self, asked: Asked) -> None:
+    def _answer(self, request: EngineRequest) -> None:
         try:
-            target = self._targets[asked.target]
-            if asked.method == "command":
-                self._command(asked)
+            target = self._targets[request.target]
+            if request.method == "command":
+                self._command(request)
                 return
-            result = getattr(target, asked.method)(*asked.args, **asked.kwargs)
+            result = getattr(target, request.method)(*request.args, **request.kwargs)
         except Exception as error:  # noqa: BLE001 - raised in the window, or logged there
-            if asked.number:
-                self._line.send(Answered(asked.number, error=portable(error)))
+            if request.number:
+                self._line.send(Answered(request.number, error=portable(error)))
             else:
-                _log.exception("%s of %s failed", asked.method, asked.target)
+                _log.exception("%s of %s failed", request.method, request.target)
             return
-        if asked.number:
-            self._line.send(Answered(asked.number, result))
+        if request.number:
+            self._line.send(Answered(request.number, result))
 
-    def _command(self, asked: Asked) -> None:
+    def _command(self, request: EngineRequest) -> None:
         """A command to an engine is answered when its thread has carried it out."""
-        side = asked.target.removeprefix("hand ")
+        side = request.target.removeprefix("hand ")
         live = self._setup.seen_from(side).live
         assert live is not None
-        work: Callable[[Engine], object] = asked.args[0]
-        live.hand.command(work, lambda result: self._line.send(Answered(asked.number, result)))
+        work: Callable[[Engine], object] = request.args[0]
+        live.hand.command(work, lambda result: self._line.send(Answered(request.number, result)))
 
     def _report(self) -> None:
         """Send what is new whenever the window has taken what was sent before."""
         settling, guard = SETTLED, UrgencyGuard()
         while not self._ended.is_set():
             guard.check()
-            if not self._taken.wait(LOOK_EVERY):
+            if not self._taken.wait(POLL_EVERY):
                 continue
             self._taken.clear()
             if self._ended.wait(self._pause) or not self._send_update():

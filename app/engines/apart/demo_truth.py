@@ -23,9 +23,9 @@ def companions_of(opened: Opened, send: Send) -> Companions:
     if len(sides) > 1:  # two wearers follow no guidance
         return Companions(None, truths)
 
-    def send_both(asked: PostureRequest, pose: str) -> None:
-        ask(scene.hand(sides[0]), asked)
-        send(asked, pose)
+    def send_both(request: PostureRequest, pose: str) -> None:
+        ask(scene.hand(sides[0]), request)
+        send(request, pose)
 
     wearer = GuidedWearer(lambda: scene.hand(sides[0]), send_both, opened.begins, scene.alone)
     return Companions(wearer, truths, wearer.close)

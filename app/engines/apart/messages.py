@@ -31,13 +31,13 @@ from tracker.vision.colours import ColourProfile
 
 ARRIVAL = struct.Struct("<d")
 LISTENER = "listener {} {}"
-"""The target of `Asked` for a listener: side of its hand and name."""
+"""The target of `EngineRequest` for a listener: side of its hand and name."""
 ENDED = "engine.process_ended"
 """The code of the notice that the process has ended by itself."""
 
 
 @dataclass(frozen=True)
-class Asked:
+class EngineRequest:
     """A call of ``method`` of ``target``; ``number`` 0: no answer is expected.
 
     ``waits``: it may take long, so it is carried out beside other requests. ``urgent``: it takes no

@@ -22,7 +22,7 @@ from typing import Any, NamedTuple, TypeVar
 from app.engines.apart.child import END, serve
 from app.engines.apart.messages import (
     Answered,
-    Asked,
+    EngineRequest,
     Estimated,
     Failed,
     Logged,
@@ -41,7 +41,7 @@ from tracker.base.notices import Notice, failure
 from tracker.streaming.apart_estimate import MARK
 
 ANSWER_WAIT = 10.0  # s for an answer, on a loaded computer
-LOOK_EVERY = 0.05  # s between checks whether opening was cancelled
+POLL_EVERY = 0.05  # s between checks whether opening was cancelled
 FASTEST, SLOWEST = 1 / 60, 0.25  # s between news
 T = TypeVar("T")
 _log = logging.getLogger(__name__)
@@ -115,7 +115,7 @@ class EngineProcess:
         """Waits until the engine is built. Raises what building it has raised, and Cancelled."""
         while True:
             try:
-                return self._opened.result(LOOK_EVERY)
+                return self._opened.result(POLL_EVERY)
             except FutureTimeout:
                 progress(*self._progress)
 
@@ -138,11 +138,11 @@ class EngineProcess:
 
     def tell(self, target: str, method: str, *args: Any, **kwargs: Any) -> None:
         """Calls a method there, without waiting for it."""
-        self._send(Asked(0, target, method, args, kwargs))
+        self._send(EngineRequest(0, target, method, args, kwargs))
 
     def tell_now(self, target: str, method: str, *args: Any) -> bool:
         """As `tell`, before what was asked for earlier; returns whether it was sent."""
-        return self._send(Asked(0, target, method, args, urgent=True))
+        return self._send(EngineRequest(0, target, method, args, urgent=True))
 
     def ask(
         self,
@@ -161,7 +161,7 @@ class EngineProcess:
         number, future = next(self._numbers), Future[Any]()
         self._waiting[number] = future
         try:
-            if not self._send(Asked(number, target, method, args, kwargs, parallel)):
+            if not self._send(EngineRequest(number, target, method, args, kwargs, parallel)):
                 raise DeviceError(process_ended())
             return future.result(wait)
         except FutureTimeout as error:
@@ -184,7 +184,7 @@ class EngineProcess:
         """Calls a method there; ``answer`` receives the result in another thread."""
         number = next(self._numbers)
         self._answers[number] = answer
-        self._send(Asked(number, target, method, args, waits=True))
+        self._send(EngineRequest(number, target, method, args, waits=True))
 
     def _send(self, item: object) -> bool:
         with self._sending:

@@ -22,7 +22,7 @@ from tracker.base.clock import monotonic
 from tracker.base.errors import DeviceError, notice_of
 from tracker.base.notices import Notice
 from tracker.live.frame_results import MOST_SHOWN
-from tracker.live.journal import EVENTS_KEPT
+from tracker.live.journal import EVENTS_STORED
 from tracker.live.listeners import ListenedHand, Listeners, LiveAccess, local_kinds
 from tracker.live.work_priority import WorkPriority
 from tracker.messages import Event, StereoFrame
@@ -128,7 +128,7 @@ class ApartEngine:
     def __init__(self, process: EngineProcess, profile: ColourProfile) -> None:
         self._process, self._profile = process, profile
         self._profiles = 0  # changes by the user
-        self._events: Fifo[Event] = Fifo(EVENTS_KEPT)
+        self._events: Fifo[Event] = Fifo(EVENTS_STORED)
         self._failure: Notice | None = None
         self._stopped = False
         self._keys = itertools.count(1)

@@ -12,7 +12,7 @@ from itertools import islice
 from pathlib import Path
 
 from app.engines.engine import CameraPart, EngineSetup, seen_from_main
-from app.engines.replay.hands import HandsInFile, OfFile, holds
+from app.engines.replay.hands import HandsInFile, OfFile, has_topic
 from app.engines.replay.sights import ReplayPlayer, Transport, first_sight, sights
 from app.engines.warm_up import warm_up_view
 from app.platform.tasks import JobProgress
@@ -39,7 +39,7 @@ class ReplayEngine:
     def __init__(self, path: Path) -> None:
         self.hands = HandsInFile(path)
         self._reader, self.info = self.hands.main, self.hands.main.info
-        tracked = holds(self._reader, "/hand/")
+        tracked = has_topic(self._reader, "/hand/")
         cut_off = not self._reader.source.contents.finished
         duration, references = self._reader.duration, self.hands.references
         self.player = ReplayPlayer(path, duration, references, tracked, cut_off)
@@ -220,7 +220,7 @@ class ReplayThread:
         self._thread: threading.Thread | None = None
         self._shown_at = 0.0  # position of the image on the screen
         # A session tracked again has no blobs, so no images: steps go from estimate to estimate.
-        self._has_blobs = holds(reader, "/camera/")
+        self._has_blobs = has_topic(reader, "/camera/")
 
     def start(self) -> None:
         self._thread = threading.Thread(target=self._run, name="glovetrack-replay")

@@ -339,10 +339,10 @@ def known_hand(reader: SessionReader) -> str:
     """The session's other data about the reader's hand: a laboratory's
     ``reference``, the ``truth`` of a simulation, or nothing."""
     known = ("reference", "truth")
-    return next((k for k in known if holds(reader, f"/{k}/{reader.info.side}/")), "")
+    return next((k for k in known if has_topic(reader, f"/{k}/{reader.info.side}/")), "")
 
 
-def holds(reader: SessionReader, topic: str) -> bool:
+def has_topic(reader: SessionReader, topic: str) -> bool:
     """Whether there are blobs or keypoints under ``topic``."""
     endings = ("/blobs", "/keypoints")
     return any(n.startswith(topic) and n.endswith(endings) for n in reader.topic_names)

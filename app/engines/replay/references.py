@@ -32,13 +32,13 @@ class ReferenceTrack:
         self._root, self._shift = root, shift
         info = self._reader.info
         self._rows = origin_rows(info.hand, info.glove)
-        self._coming: Iterator[Estimate] = iter(())
+        self._estimates_ahead: Iterator[Estimate] = iter(())
         self._last: Estimate | None = None
         self._next: Estimate | None = None
 
     def seek(self, t: float) -> None:
         """Restart at ``t`` s of the monotonic clock."""
-        self._coming = self._messages(t + self._shift - LEAD)
+        self._estimates_ahead = self._messages(t + self._shift - LEAD)
         self._last = self._next = None
 
     def _messages(self, start: float) -> Iterator[Estimate]:
@@ -54,7 +54,7 @@ class ReferenceTrack:
         """Advance to the last estimate that is not later than ``t``."""
         while self._next is None or self._next.t <= t + self._shift + 1e-6:
             self._last = self._next if self._next is not None else self._last
-            self._next = next(self._coming, None)
+            self._next = next(self._estimates_ahead, None)
             if self._next is None:
                 return
 

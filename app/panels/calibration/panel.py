@@ -129,7 +129,7 @@ class CalibrationHost(WearerHost, HandSwitch, RunState, Protocol):
 
 class CalibrationPanel(Panel):
     period = 0.5
-    guided_asked = Signal()
+    guided_requested = Signal()
 
     def __init__(
         self, host: CalibrationHost, store: SettingsStore, parent: QWidget | None = None
@@ -186,7 +186,7 @@ class CalibrationPanel(Panel):
         column.addWidget(self.table, 1)
 
     def _connect(self) -> None:
-        self.wearer.guided.connect(self.guided_asked)
+        self.wearer.guided.connect(self.guided_requested)
         self.wearer.compare.connect(lambda _on: self._draw())
         self.profiles.kept.connect(self._draw)
         self.host.opened.connect(self._open)

@@ -71,7 +71,7 @@ class WearerProfiles(QObject):
             if first is not None and hand is setup and setup.live is not None:
                 self.take_in(first)
             elif self._row.name and hand.live is not None:
-                self._put_on(self._row.name, hand)
+                self._load_wearer(self._row.name, hand)
 
     def show_hand(self, setup: EngineSetup) -> None:
         """Show the wearer of this glove."""
@@ -91,10 +91,10 @@ class WearerProfiles(QObject):
     def _remember(self, name: str) -> None:
         self._hands.remember(name, self._host.setup)
 
-    def _put_on(self, name: str, setup: EngineSetup) -> None:
+    def _load_wearer(self, name: str, setup: EngineSetup) -> None:
         layout = self.link.layout_of(setup)
         try:
-            self.current.put_on(name, layout)
+            self.current.apply_profile(name, layout)
         except GlovetrackError as error:
             self._host.error.emit(error_text(error))
             self._show_names("")
@@ -104,7 +104,7 @@ class WearerProfiles(QObject):
     def _give_profile(self, engine: str, model: WearerProfileModel, side: str) -> None:
         """Send the profile of the wearer to an engine that accepts profiles."""
         if learns_wearer(engine) and model.profile is not None:
-            self.link.put_on(model.profile, side)
+            self.link.apply_profile(model.profile, side)
 
     def _engine_changed(self, name: str) -> None:
         """Apply the selected profile to a new engine."""
@@ -117,7 +117,7 @@ class WearerProfiles(QObject):
         self._remember(name)
         self.current.take_off()
         if name and self._host.setup is not None:
-            self._put_on(name, self._host.setup)
+            self._load_wearer(name, self._host.setup)
         else:
             self.reset(None)
         self._show_names(self._row.name)

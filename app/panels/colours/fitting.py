@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QWidget
 
 from app.engines.snapshot import Snapshot
 from app.platform.tasks import LatestJob, TaskOwner
-from app.viewmodels.colour_fits import Fit, FitWork, fit_words
+from app.viewmodels.colour_fits import Fit, FitWork, fit_text
 from app.viewmodels.colour_search import MASK_STEP, ShownImage
 from app.viewmodels.colour_tuning import ColourTuning
 from app.viewmodels.light import SHORT, LightWatch
@@ -51,7 +51,7 @@ class ColoursFitting(QObject):
         profile, hues = fit
         if self.tuning is not None and profile is self.tuning.profile:
             return  # an automatic fit was rejected
-        words = fit_words(hues, profile)
+        words = fit_text(hues, profile)
         if self.tuning is not None and hues:
             self.tuning.take(profile, words)
             self.taken.emit()
@@ -70,7 +70,7 @@ class ColoursFitting(QObject):
             return
         if not self.tuning.live.is_enough:
             words = self.tr("Collecting images. Hold the hand in view, or play the replay.")
-            self.tuning.last_words = words
+            self.tuning.message = words
 
     def fit_by_itself(self) -> None:
         """Start an automatic fit; if it is rejected, nothing changes and no message is shown."""

@@ -79,7 +79,7 @@ class StoredImages(QObject):
         shot = StoredImage(folder.free_name(datetime.now()), left, right)
         self._tasks.run(
             self.tr("Storing an image"),
-            lambda _progress: folder.keep(shot),
+            lambda _progress: folder.store(shot),
             lambda _none: self.listed.emit(shot.name),
         )
 

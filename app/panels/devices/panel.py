@@ -65,7 +65,7 @@ class DevicesPanel(Panel):
         self.motors = MotorTest(host, store, self)
         self.values: dict[str, DeviceValue] = {}
         self.edits: dict[str, Value] = {}  # changes that have not been applied
-        self._asked: dict[str, Value] = {}  # changes that have been applied
+        self._requested: dict[str, Value] = {}  # changes that have been applied
         self.search = QLineEdit()
         self.search.setPlaceholderText(self.tr("Search settings"))
         self.search.setAccessibleName(self.tr("Search settings"))
@@ -103,7 +103,7 @@ class DevicesPanel(Panel):
         self.host.closed.connect(self._forget)
 
     def _forget(self) -> None:
-        self.edits, self._asked, self.values = {}, {}, {}
+        self.edits, self._requested, self.values = {}, {}, {}
         self.tree.show_values([], {})
         self._show_report("")
         self._enable()
@@ -122,7 +122,7 @@ class DevicesPanel(Panel):
         if view is None:
             return
         known = len(self.values)
-        self.values = {value.key: value for value in device_values(view, self._asked)}
+        self.values = {value.key: value for value in device_values(view, self._requested)}
         self.tree.show_values(list(self.values.values()), self.edits)
         if len(self.values) != known:
             self.tree.search(self.search.text())
@@ -157,7 +157,7 @@ class DevicesPanel(Panel):
         except GlovetrackError as error:
             self._show_report(error_text(error))
             return
-        self._asked |= self.edits
+        self._requested |= self.edits
         self.edits = {}
         self._show_edits()
 

@@ -128,7 +128,7 @@ class HandBodies:
         self._has_place = setup.camera.calibrated
         self._camera.show(False)  # no position before the first estimate
 
-    def put_on(self, skin: HandSkin) -> None:
+    def apply_profile(self, skin: HandSkin) -> None:
         """Use this mesh from now on."""
         self._skin, self._marker_state = skin, None
         surface = Surface(skin.skin.faces, skin.part, skin.skin.along)

@@ -57,17 +57,17 @@ class HandInScene:
         self.skin: HandSkin | None = None
         self.scene: HandScene | None = None
 
-    def put_on(self, skin: HandSkin) -> None:
+    def apply_profile(self, skin: HandSkin) -> None:
         """Use this mesh from now on."""
         self.skin = skin
         if self.bodies is not None:
-            self.bodies.put_on(skin)
+            self.bodies.apply_profile(skin)
 
     def make_bodies(self, scene: BodyScene) -> None:
         """Create the bodies in the scene of the current view."""
         self.bodies = HandBodies(scene, self.setup, hue_colours(self.setup.profile))
         if self.skin is not None:
-            self.bodies.put_on(self.skin)
+            self.bodies.apply_profile(self.skin)
 
     def forget_bodies(self) -> None:
         """Discard the bodies after their scene was deleted."""
@@ -210,7 +210,7 @@ class HandPanel(Panel):
         def made(skins: list[HandSkin]) -> None:
             if self._hands is hands:
                 for hand, skin in zip(hands, skins, strict=True):
-                    hand.put_on(skin)
+                    hand.apply_profile(skin)
 
         if all(MADE.has(*model) for model in models):
             made([HandSkin(*model) for model in models])

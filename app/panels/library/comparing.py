@@ -101,7 +101,7 @@ class Comparing(QObject):
     """Runs both comparisons as jobs; ``ended`` after each, also after a failure."""
 
     replay = Signal(object)  # the path to replay
-    beside = Signal(str)  # name of the second hand in the replay
+    second_named = Signal(str)  # name of the second hand in the replay
     ended = Signal()
 
     def __init__(self, host: ComparingHost, tasks: TaskOwner, parent: QWidget) -> None:
@@ -199,4 +199,4 @@ class Comparing(QObject):
         except GlovetrackError as error:
             self._host.error.emit(error_text(error))
         else:
-            self.beside.emit(self._second)
+            self.second_named.emit(self._second)

@@ -69,7 +69,7 @@ class Presets(QWidget):
         self.save_button.clicked.connect(self._ask_name)
         self.remove_button = QPushButton(self.tr("Remove"))
         self.remove_button.clicked.connect(self._remove)
-        self._gone: tuple[str, dict[str, object]] | None = None
+        self._removed: tuple[str, dict[str, object]] | None = None
         self.undo_button = QPushButton(self.tr("Undo"))
         self.undo_button.clicked.connect(self._put_back)
         self.undo_button.hide()
@@ -100,10 +100,10 @@ class Presets(QWidget):
     def _ask_name(self) -> None:
         title, words = self.tr("Save these formats and options"), self.tr("Name of the preset")
         dialog = question(self, title, words, self.box.currentData() or "")
-        dialog.textValueSelected.connect(self.keep)
+        dialog.textValueSelected.connect(self.save_preset)
         dialog.open()
 
-    def keep(self, name: str) -> None:
+    def save_preset(self, name: str) -> None:
         """Save the options under this name, replacing an existing preset."""
         name = " ".join(name.split())[:LONGEST]
         if name:
@@ -114,7 +114,7 @@ class Presets(QWidget):
     def _remove(self) -> None:
         name = self.box.currentData()
         before = self._store.value.export_presets
-        self._gone = name, before[name]
+        self._removed = name, before[name]
         self._store.update(export_presets={k: v for k, v in before.items() if k != name})
         self.undo_button.setToolTip(self.tr("Restore the preset {}").format(name))
         self.undo_button.show()
@@ -122,8 +122,8 @@ class Presets(QWidget):
 
     def _put_back(self) -> None:
         """Restore the preset that was removed last, unless its name is in use again."""
-        if self._gone is not None:
-            (name, preset), self._gone = self._gone, None
+        if self._removed is not None:
+            (name, preset), self._removed = self._removed, None
             self._store.update(export_presets={name: preset, **self._store.value.export_presets})
             self._fill(name)
         self.undo_button.hide()

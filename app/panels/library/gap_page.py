@@ -60,11 +60,11 @@ class _Cell(QTableWidgetItem):
 
 
 class GapPage(QWidget):
-    """``seek_requested``: a clicked position (s). ``fill_asked``: fill the selected gaps.
+    """``seek_requested``: a clicked position (s). ``fill_requested``: fill the selected gaps.
     ``limit_changed``: list the gaps again. ``shown_changed``: the intervals for the timeline."""
 
     seek_requested = Signal(float)
-    fill_asked = Signal()
+    fill_requested = Signal()
     limit_changed = Signal()
     shown_changed = Signal(object)  # list[Span]
 
@@ -129,7 +129,7 @@ class GapPage(QWidget):
                 "recording is not changed"
             )
         )
-        self.fill_button.clicked.connect(self.fill_asked)
+        self.fill_button.clicked.connect(self.fill_requested)
         self.head = OneLine()
         for box in (self.kind, self.part, self.unsensed):
             box.currentIndexChanged.connect(lambda _index: self._list())
@@ -263,7 +263,7 @@ class Gaps(QObject):
         self._player: Player | None = None
         self._reading = LatestJob(self.tr("Finding gaps"), self)
         page.limit_changed.connect(self._read)
-        page.fill_asked.connect(self.fill)
+        page.fill_requested.connect(self.fill)
         page.seek_requested.connect(self._seek)
         page.shown_changed.connect(lambda _shown: self.counted.emit(page.table.rowCount()))
 

@@ -26,7 +26,7 @@ from app.panels.library.transport import TransportBar
 from app.panels.panel import Panel
 from app.platform.tasks import JobProgress, RunningJob, TaskOwner
 from app.storage.settings import SettingsStore, sessions_folder
-from app.viewmodels.library import Details, SessionRow, look_inside, scan
+from app.viewmodels.library import Details, SessionRow, read_details, scan
 from app.widgets.measures import APART, NEAR, TIGHT
 
 LOW = 260  # px, above the minimum height; below it the transport bar is hidden
@@ -74,7 +74,7 @@ class LibraryHost(ComparingHost, EngineChanges, FilesHost, Protocol):
 class LibraryPanel(Panel):
     period = 0.05
     replay = Signal(object)  # Path
-    beside = Signal(str)  # name of a second tracking that the replay shows
+    second_named = Signal(str)  # name of a second tracking that the replay shows
 
     def __init__(
         self,
@@ -124,21 +124,21 @@ class LibraryPanel(Panel):
         self._scan.stale.connect(self.rescan)
         self._scan.found.connect(self._show_rows)
         self._scan.detailed.connect(self.table.show_details)
-        self.page.asked.connect(self._do)
+        self.page.requested.connect(self._do)
         self._comparing.replay.connect(self.replay)
-        self._comparing.beside.connect(self.beside)
+        self._comparing.second_named.connect(self.second_named)
         self._comparing.ended.connect(self.rescan)
         self.gaps.counted.connect(self._name_gaps)
         self.gaps.made.connect(self.files.made)
         self.gaps.ended.connect(self.rescan)
         self.gaps.page.shown_changed.connect(self.transport.timeline.show_spans)
 
-    def _do(self, asked: str) -> None:
+    def _do(self, requested: str) -> None:
         paths = [row.path for row in self.table.selected()]
         whole_list: dict[str, Callable[[], object]] = {
             "track": self.ask_track,
             "compare": self.compare_selected,
-            "beside": partial(self.compare_selected, beside=True),
+            "beside": partial(self.compare_selected, as_two_recordings=True),
             "export": self.ask_export,
         }
         selected: dict[str, Callable[[], object]] = {
@@ -148,14 +148,14 @@ class LibraryPanel(Panel):
             "tags": lambda: self.files.ask_tags(paths),
             "bin": lambda: self.files.bin(paths),
         }
-        if asked == "folder":
+        if requested == "folder":
             open_folder(paths[0].parent if paths else sessions_folder(self._store.value))
-        elif asked in whole_list:
-            whole_list[asked]()
-        elif paths and asked in self._actions:
-            self._actions[asked].run(paths)
+        elif requested in whole_list:
+            whole_list[requested]()
+        elif paths and requested in self._actions:
+            self._actions[requested].run(paths)
         elif paths:
-            selected[asked]()
+            selected[requested]()
 
     def _name_exports(self) -> None:
         waiting = sum(i.open for i in self.exports.items)
@@ -232,12 +232,12 @@ class LibraryPanel(Panel):
         dialog.wanted.connect(self._comparing.track_again)
         dialog.open()
 
-    def compare_selected(self, beside: bool = False) -> None:
-        """Compare the two selected sessions, the older one first; ``beside``: as two recordings."""
+    def compare_selected(self, as_two_recordings: bool = False) -> None:
+        """Compare the two selected sessions, the older one first."""
         rows = self.table.selected()
         if len(rows) != 2:
             self.host.error.emit(self.tr("Select two sessions in the library."))
-        elif beside:
+        elif as_two_recordings:
             self._comparing.side_by_side(rows[1].path, rows[0].path)
         else:
             self._comparing.compare(rows[1].path, rows[0].path)
@@ -301,7 +301,7 @@ class LibraryScan(QObject):
         self._tasks = tasks
         self._details: dict[tuple[Path, tuple[int, int]], Details] = {}
         self._reading: RunningJob | None = None
-        self._asked = 0
+        self._request_number = 0
         self._looking: RunningJob | None = None
         self._watcher = QFileSystemWatcher(self)
         self._quiet = QTimer(self, singleShot=True, interval=SETTLE_MS)
@@ -311,8 +311,8 @@ class LibraryScan(QObject):
     def begin(self, folder: Path, recording: Path | None) -> None:
         """``recording``: the file that is being written."""
         self._watch(folder)
-        self._asked += 1
-        number = self._asked
+        self._request_number += 1
+        number = self._request_number
         if self._reading is not None:
             self._reading.cancel()
         self._reading = self._tasks.run(
@@ -331,15 +331,15 @@ class LibraryScan(QObject):
 
     def _found(self, numbered: tuple[int, list[SessionRow]]) -> None:
         number, rows = numbered
-        if number != self._asked:
+        if number != self._request_number:
             return  # outdated: there is a newer request
         known = {r.path: d for r in rows if (d := self._details.get((r.path, r.stamp)))}
         self.found.emit(rows, known)
         new = [r for r in rows if r.path not in known and not r.problem]
         if new:
-            self._look_inside(new)
+            self._read_details(new)
 
-    def _look_inside(self, rows: list[SessionRow]) -> None:
+    def _read_details(self, rows: list[SessionRow]) -> None:
         """Read thumbnails and quality; stops an earlier job."""
         if self._looking is not None:
             self._looking.cancel()
@@ -348,7 +348,7 @@ class LibraryScan(QObject):
             self._details[row.path, row.stamp] = details
 
         def job(progress: JobProgress) -> None:
-            look_inside(rows, found, progress)
+            read_details(rows, found, progress)
 
         self._looking = self._tasks.run(
             self.tr("Reading session details"),

@@ -77,9 +77,9 @@ class SessionFiles(QObject):
         before = {path: read_tags(path) for path in paths}
         wanted = tags_of_text(text)
         self._put_tags(dict.fromkeys(paths, wanted))
-        gone = sorted({tag for tags in before.values() for tag in tags} - set(wanted))
-        if gone:
-            message = self.tr("Tags removed: {}.").format(", ".join(gone))
+        dropped = sorted({tag for tags in before.values() for tag in tags} - set(wanted))
+        if dropped:
+            message = self.tr("Tags removed: {}.").format(", ".join(dropped))
             self.removed.emit(message, partial(self._put_tags, before))
 
     def _put_tags(self, tags: Mapping[Path, Sequence[str]]) -> None:

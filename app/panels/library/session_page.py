@@ -27,12 +27,12 @@ BUTTONS = 3  # width in multiples of the search field
 
 
 class SessionPage(QWidget):
-    """``asked``: the key of one of `buttons` or `actions`.
+    """``requested``: the key of one of `buttons` or `actions`.
 
     ``more``: titles of further actions on recordings, by key.
     """
 
-    asked = Signal(str)
+    requested = Signal(str)
     head: QWidget
     """Buttons and search field; the caller places them next to the tabs, where they need no extra
     line."""
@@ -41,7 +41,7 @@ class SessionPage(QWidget):
         super().__init__(parent)
         self._further = more
         self.table = SessionTable()
-        self.table.cellDoubleClicked.connect(lambda _row, _column: self.asked.emit("replay"))
+        self.table.cellDoubleClicked.connect(lambda _row, _column: self.requested.emit("replay"))
         self.table.itemSelectionChanged.connect(self.enable)
         self.table.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.table.customContextMenuRequested.connect(self._show_menu)
@@ -103,10 +103,10 @@ class SessionPage(QWidget):
         return more
 
     def _ask(self, key: str, _checked: bool = False) -> None:
-        self.asked.emit(key)
+        self.requested.emit(key)
 
-    def _show_menu(self, place: QPoint) -> None:
-        self.menu.popup(self.table.viewport().mapToGlobal(place))
+    def _show_menu(self, position: QPoint) -> None:
+        self.menu.popup(self.table.viewport().mapToGlobal(position))
 
     def enable(self) -> None:
         rows = self.table.selected()

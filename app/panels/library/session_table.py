@@ -84,7 +84,7 @@ class SessionTable(QTableWidget):
 
     def _show_or_hide(self, i: int) -> None:
         quality = self.item(i, QUALITY)
-        is_match = self._rows[i].holds(self._wanted, quality.text() if quality else "")
+        is_match = self._rows[i].matches(self._wanted, quality.text() if quality else "")
         self.setRowHidden(i, not is_match)
 
     def show_rows(self, rows: Sequence[SessionRow], known: dict[Path, Details]) -> None:

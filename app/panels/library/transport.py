@@ -27,9 +27,9 @@ SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)
 
 
 class TransportBar(QWidget):
-    """Visible while there is a player. ``live_asked``: return to live tracking."""
+    """Visible while there is a player. ``live_requested``: return to live tracking."""
 
-    live_asked = Signal()
+    live_requested = Signal()
     removed = Signal(str, object)  # a message, and a function that undoes the change
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -58,7 +58,7 @@ class TransportBar(QWidget):
         self.live_button = QToolButton()
         self.live_button.setText(self.tr("Live"))
         self.live_button.setToolTip(self.tr("Return to live tracking (Ctrl+L)"))
-        self.live_button.clicked.connect(self.live_asked)
+        self.live_button.clicked.connect(self.live_requested)
         self.live_button.hide()
         row = QHBoxLayout()
         row.setSpacing(TIGHT)

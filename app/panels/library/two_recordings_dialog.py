@@ -181,7 +181,7 @@ class TwoRecordingsDialog(QDialog):
 
     def _keep(self) -> None:
         try:
-            path = self.takes.keep(self._offset)
+            path = self.takes.save(self._offset)
         except GlovetrackError as error:
             self.figures.setText(error_text(error))
             return

@@ -190,12 +190,12 @@ class MotionPanel(Panel):
         if model is None:
             return
         before = list(model.pairs)
-        gone = [
+        dropped = [
             model.remove_pair(row) for row in reversed(self.table.chosen) if not model.is_angle(row)
         ]
         self._name_rows()
-        if gone:
-            text = self.tr("Distances removed: {}.").format(len(gone))
+        if dropped:
+            text = self.tr("Distances removed: {}.").format(len(dropped))
             self.removed.emit(text, lambda: self._put_back(model, before))
 
     def _put_back(self, model: MotionModel, pairs: list[tuple[str, str]]) -> None:

@@ -64,7 +64,7 @@ class CheckTable(QTableWidget):
 class StillPage(QWidget):
     """Measurement of biases and noise while the hand rests."""
 
-    asked = Signal(str)
+    requested = Signal(str)
     measured = Signal(object)  # StillPose
 
     def __init__(self) -> None:
@@ -105,7 +105,7 @@ class StillPage(QWidget):
 
     def begin(self) -> None:
         self._run = StillRun(self._names)
-        self.asked.emit("rest")
+        self.requested.emit("rest")
 
     def look(self, recent: Sequence[ImuSample]) -> None:
         run = self._run
@@ -128,7 +128,7 @@ class StillPage(QWidget):
 class WigglePage(QWidget):
     """Wiggle test: the wearer moves one finger after the other to locate the IMUs."""
 
-    asked = Signal(str)
+    requested = Signal(str)
 
     def __init__(self) -> None:
         super().__init__()
@@ -200,7 +200,7 @@ class WigglePage(QWidget):
         run.look(recent)
         if run.part != self._asked:
             self._asked = run.part
-            self.asked.emit(run.part)
+            self.requested.emit(run.part)
         self.words.setText(run.words)
         self.bar.setValue(round(100 * run.share))
         if run.phase == SetUpPhase.DONE:

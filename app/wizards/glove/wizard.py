@@ -98,7 +98,7 @@ class GloveSetup(QDialog):
         self.use.clicked.connect(self._use)
         self.stop.clicked.connect(self.close)
         for page in (self.still, self.wiggle):
-            page.asked.connect(self._ask)
+            page.requested.connect(self._ask)
         self.still.measured.connect(self._measured)
 
     # --- which glove

@@ -92,9 +92,9 @@ class PoseStage(QWidget):
         def make(_progress: JobProgress) -> HandSkin:
             return HandSkin(setup.hand, setup.glove)
 
-        self._skins.run(make, self._put_on)
+        self._skins.run(make, self._load_wearer)
 
-    def _put_on(self, skin: HandSkin) -> None:
+    def _load_wearer(self, skin: HandSkin) -> None:
         scene = self.view.scene
         if scene is None:
             return

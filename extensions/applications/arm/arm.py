@@ -64,7 +64,7 @@ class _Lasting:
     def __init__(self, seconds: float) -> None:
         self._seconds, self._since, self._reported = seconds, np.nan, False
 
-    def tells(self, shown: bool, t: float) -> bool:
+    def has_started(self, shown: bool, t: float) -> bool:
         if not shown:
             self._since, self._reported = np.nan, False
             return False
@@ -123,12 +123,12 @@ class RobotArm:
 
     def _signs(self, hand: HandSample, events: list[Happening]) -> None:
         palm = hand.shows("open_palm") or hand.value("open_palm") > BEGINS_AT
-        if self._palm.tells(palm, hand.t) and not self._stopped:
+        if self._palm.has_started(palm, hand.t) and not self._stopped:
             self._stopped, self._clutched = True, None
             events.append(Happening("stop"))
-        if self._thumb.tells(hand.shows("thumb_up"), hand.t):
+        if self._thumb.has_started(hand.shows("thumb_up"), hand.t):
             self._confirm(events)
-        if self._pinch.tells(hand.shows("pinch_index"), hand.t) and not self._stopped:
+        if self._pinch.has_started(hand.shows("pinch_index"), hand.t) and not self._stopped:
             self._closed = not self._closed
             events.append(Happening("grab" if self._closed else "release"))
 

@@ -31,7 +31,7 @@ class Fleet:
         self._has_target = np.zeros(count, bool)
 
     @property
-    def asked(self) -> int:
+    def requested(self) -> int:
         """Number of vehicles that have received a target."""
         return int(self._has_target.sum())
 

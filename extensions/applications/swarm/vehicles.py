@@ -44,7 +44,7 @@ class VehicleSink:
         self._due = -np.inf
         self.answered: NDArray[np.bool_] = np.zeros(0, bool)
         self.p: Array = np.empty((0, 3))
-        self.asked: Array = np.empty((0, 3))
+        self.requested: Array = np.empty((0, 3))
 
     def take(self, commands: Sequence[Command], t: float) -> None:
         for command in commands:
@@ -76,7 +76,7 @@ class VehicleSink:
         n = len(command.p)
         if len(self.p) != n:
             self.answered, self.p = np.zeros(n, bool), np.full((n, 3), np.nan)
-        self.asked = command.p
+        self.requested = command.p
         self._sequence += 1
         for k, first in enumerate(range(0, n, PER_PORT)):
             rows = slice(first, min(first + PER_PORT, n))
@@ -113,7 +113,7 @@ class VehicleSink:
         """Median distance in m of the vehicles from their targets; NaN without replies."""
         if not self.answered.any():
             return float("nan")
-        away = np.linalg.norm(self.p - self.asked, axis=1)
+        away = np.linalg.norm(self.p - self.requested, axis=1)
         return float(np.median(away[self.answered]))
 
     def close(self) -> None:

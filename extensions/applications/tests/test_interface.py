@@ -250,7 +250,7 @@ def test_settings_that_are_rows_of_numbers_are_the_same_again(tmp_path: Path) ->
 def port(monkeypatch: pytest.MonkeyPatch) -> int:
     """A free port, for a stream that is closed soon."""
     monkeypatch.setattr("extensions.applications.sources.SILENCE", 0.2)
-    monkeypatch.setattr("extensions.applications.sources.PATIENCE", 0.3)
+    monkeypatch.setattr("extensions.applications.sources.TIMEOUT", 0.3)
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as free:
         free.bind(("127.0.0.1", 0))
         return int(free.getsockname()[1])

@@ -306,7 +306,7 @@ class ApplicationView(View3D):
         hand = HandBodies(scene, self._setup, {})
         self._bodies = hand, ApplicationBodies(scene)
         if self.skin is not None:
-            hand.put_on(self.skin)
+            hand.apply_profile(self.skin)
 
     def shut_down(self) -> None:
         self._bodies = None

@@ -51,7 +51,7 @@ MOTION_S = 120.0  # per wearer
 WARM_UP = 3.0  # s before the first fault
 MATCHED = 4  # matched markers for which an image counts as tracked
 FRESH = 0.1  # s
-LOOK_EVERY = 0.05  # s
+POLL_EVERY = 0.05  # s
 
 
 @dataclass(frozen=True)
@@ -321,7 +321,7 @@ class _UnreportedErrors:
 
     def __init__(self, bench: Bench, params: DrillParams) -> None:
         self._bench, self._params = bench, params
-        self._wrong_since, self._next_look = float("inf"), bench.now
+        self._wrong_since, self._next_poll = float("inf"), bench.now
         self.notices: list[Notice] = []
         self.lied = False
 
@@ -329,9 +329,9 @@ class _UnreportedErrors:
         """Check now; returns False, so that it can be a condition that does not end a run."""
         bench, p = self._bench, self._params
         self.notices += bench.drain_notices()
-        if bench.now < self._next_look:  # computing the truth is slow
+        if bench.now < self._next_poll:  # computing the truth is slow
             return False
-        self._next_look = bench.now + LOOK_EVERY
+        self._next_poll = bench.now + POLL_EVERY
         e = bench.estimate
         shown = e is not None and e.tracking == Tracking.TRACKING
         wrong = shown and bench.is_wrong(p)

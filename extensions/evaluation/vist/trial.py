@@ -22,7 +22,7 @@ from tracker.base.clock import ClockAnchor
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
 from tracker.engine.side_watch import SideWatch
-from tracker.fusion import worn
+from tracker.fusion import wearer_learning
 from tracker.fusion.chain.calibration.measured import LONGEST, RULER_SD, SHORTEST
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.reports import length_gain
@@ -88,7 +88,7 @@ def run_trial(case: Case, participant: int) -> Trial:
     if case.measured:
         measure(pipeline.engine, case, simulation.wearer, seed)
     if case.wearer:
-        worn.put_on(pipeline.engine, Path(case.wearer))
+        wearer_learning.load_wearer(pipeline.engine, Path(case.wearer))
     if case.guided == "known":
         meet_again(pipeline, case, seed)
     record = _track(case, simulation, pipeline, variant, events)
@@ -108,7 +108,7 @@ def measure(engine: Engine, case: Case, wearer: Wearer, seed: int) -> None:
     layout = ChainLayout(*models(case.glove))
     true = float(length_gain(layout) @ wearer.scale[list(layout.active), 0])
     read = true + rng_for(seed, "ruler").normal(0.0, RULER_SD)
-    worn.measure(engine, float(np.clip(read, SHORTEST, LONGEST)))
+    wearer_learning.start_with_length(engine, float(np.clip(read, SHORTEST, LONGEST)))
 
 
 def meet_again(pipeline: Pipeline, case: Case, person: int) -> None:
@@ -125,8 +125,8 @@ def meet_again(pipeline: Pipeline, case: Case, person: int) -> None:
     _track(first, simulation, before, None, motion.events)
     with TemporaryDirectory() as folder:
         profile = Path(folder) / "wearer.toml"
-        worn.keep(before.engine, profile)
-        worn.put_on(pipeline.engine, profile)
+        wearer_learning.save_wearer(before.engine, profile)
+        wearer_learning.load_wearer(pipeline.engine, profile)
 
 
 def _track(

@@ -22,7 +22,7 @@ from tests.notices import raises
 from tests.session.conftest import ANCHOR, at
 from tests.streaming.recorded_hand import NEAR_DEG, RecordedHand, assert_near, assert_parallel
 from tracker.base.errors import ConfigError, FileError
-from tracker.base.workers import WorkersAsked
+from tracker.base.workers import WorkerRequest
 from tracker.cli import main
 from tracker.geometry import so3
 from tracker.messages import Estimate, Event, Message, StereoFrame, Tracking
@@ -325,10 +325,10 @@ def test_a_folder_in_processes_and_on_a_cluster_gives_the_same_files(
     monkeypatch.setattr(lerobot, "LARGEST_DATA_MB", 0)  # a file for each episode
     shares: list[float] = []
     export_dataset([folder], "lerobot", tmp_path / "local", ExportOptions(), shares.append,
-                   WorkersAsked(2))  # fmt: skip
+                   WorkerRequest(2))  # fmt: skip
     with distributed.LocalCluster(1, processes=False, dashboard_address=None) as cluster:
-        asked = WorkersAsked(dask=cluster.scheduler_address)
-        export_dataset([folder], "lerobot", tmp_path / "dask", ExportOptions(), asked=asked)
+        pool = WorkerRequest(dask=cluster.scheduler_address)
+        export_dataset([folder], "lerobot", tmp_path / "dask", ExportOptions(), pool=pool)
     files = sorted(p.relative_to(tmp_path / "local") for p in (tmp_path / "local").rglob("*.*"))
     assert [str(p) for p in files if p.parts[0] == "data"] == [
         f"data/chunk-000/file-00{k}.parquet" for k in range(3)

@@ -85,7 +85,9 @@ class Program:
         first, *others = self.names.values()
         publisher = OpenXrPublisher(first, placement, str(memory))
         self.publisher = publisher
-        self._senders = dict(zip(sides, [publisher, *map(publisher.beside, others)], strict=True))
+        self._senders = dict(
+            zip(sides, [publisher, *map(publisher.for_other_hand, others)], strict=True)
+        )
         self.t0 = time.monotonic_ns()
         self._last = dict.fromkeys(sides, 0)
         self.joints(self.t0, sides[0])  # compiles or loads kernels, which takes long once

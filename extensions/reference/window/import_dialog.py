@@ -56,7 +56,7 @@ class ImportDialog(JobDialog):
         super().__init__(on)
         assert setup.player is not None
         self._session = setup.player.path
-        self._asked = 0
+        self._request_number = 0
         self._read: tuple[ReferenceFile | None, tuple[float, ...]] = None, ()
         self._is_ready = False
         self.cancelled = self.tr("Cancelled. Nothing was imported.")
@@ -64,7 +64,7 @@ class ImportDialog(JobDialog):
         self.setWindowTitle(self.tr("Import a reference"))
         self.form = ImportForm(setup, self._session)
         self.form.changed.connect(self._look)
-        self.form.template_asked.connect(self._ask_template)
+        self.form.template_requested.connect(self._ask_template)
         self._lay_out()
         fit_to_screen(self, *SIZE)
         self.inputs = (self.form,)
@@ -116,7 +116,7 @@ class ImportDialog(JobDialog):
     def recognise(self) -> None:
         """Read the chosen file in the background and show what it contains."""
         file = self.form.file()
-        self._asked += 1
+        self._request_number += 1
         self._is_ready = False
         self.enable()
         self.form.template_button.setEnabled(file is not None)
@@ -127,7 +127,7 @@ class ImportDialog(JobDialog):
         self._read = file, self._times()
         self.form.recognised.setText(self.tr("Reading the file…"))
         title = self.tr("Reading {}").format(file.path.name)
-        self.context.tasks.run(title, recognise_job(self._asked, file), self._recognised)
+        self.context.tasks.run(title, recognise_job(self._request_number, file), self._recognised)
 
     def _times(self) -> tuple[float, ...]:
         """When the chosen files were changed."""
@@ -135,7 +135,7 @@ class ImportDialog(JobDialog):
         return tuple(_changed(path) for path in paths if path is not None)
 
     def _recognised(self, answer: Answer) -> None:
-        if answer.number != self._asked:
+        if answer.number != self._request_number:
             return
         found, label = answer.found, self.form.recognised
         if found is None:
@@ -224,11 +224,11 @@ EXAMPLE = "2026-03-31T14:05:09.120"
 
 
 class ImportForm(QWidget):
-    """``changed``: another file, mapping, hand or channel is to be read. ``template_asked``: write
-    a mapping file."""
+    """``changed``: another file, mapping, hand or channel is to be read. ``template_requested``:
+    write a mapping file."""
 
     changed = Signal()
-    template_asked = Signal()
+    template_requested = Signal()
 
     def __init__(self, setup: EngineSetup, session: Path, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -250,8 +250,8 @@ class ImportForm(QWidget):
         for line in (self.reference, self.mapping, self.pulse):
             line.editingFinished.connect(self.changed)
         self.hand.currentIndexChanged.connect(lambda _i: self.changed.emit())
-        self.way.currentIndexChanged.connect(lambda _i: self.show_way())
-        self.show_way()
+        self.way.currentIndexChanged.connect(lambda _i: self.show_alignment())
+        self.show_alignment()
 
     def _lay_out(self) -> None:
         choose, choose_mapping = (QPushButton(self.tr("Choose…")) for _ in range(2))
@@ -261,7 +261,7 @@ class ImportForm(QWidget):
         self.template_button.setToolTip(
             self.tr("Write a mapping file with the points of this reference, and open it")
         )
-        self.template_button.clicked.connect(self.template_asked)
+        self.template_button.clicked.connect(self.template_requested)
         self.form = QFormLayout(self)
         self.form.setContentsMargins(0, 0, 0, 0)
         self.form.setVerticalSpacing(APART // 2)
@@ -291,7 +291,7 @@ class ImportForm(QWidget):
             row.addWidget(button)
         self.form.addRow(label, row)
 
-    def show_way(self) -> None:
+    def show_alignment(self) -> None:
         """Show the field of the chosen time alignment."""
         way = self.way.currentData()
         self.form.setRowVisible(self.pulse, way == "pulse")

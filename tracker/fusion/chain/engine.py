@@ -84,7 +84,7 @@ class PoseAlignment:
 
 
 class WearerEngine(Engine):
-    """The part of an engine that learns the wearer: implements `tracker.fusion.worn.LearnsWearer`.
+    """The part of an engine that learns the wearer: a `wearer_learning.LearnsWearer`.
 
     ``wearer`` holds the wearer's calibration and executes the user's commands on it.
     """
@@ -106,9 +106,9 @@ class WearerEngine(Engine):
         """The learned wearer profile."""
         return self._reported.profile()
 
-    def put_on(self, profile: WearerProfile) -> None:
+    def apply_profile(self, profile: WearerProfile) -> None:
         """Use a wearer profile, now and at each new start."""
-        self.wearer.put_on(profile)
+        self.wearer.apply_profile(profile)
 
 
 class ChainEngine(WearerEngine):

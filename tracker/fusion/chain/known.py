@@ -136,10 +136,10 @@ class KnownWearer:
 
     # ---- a user's commands
 
-    def put_on(self, profile: WearerProfile) -> None:
+    def apply_profile(self, profile: WearerProfile) -> None:
         """Use a wearer profile, now and at each new start."""
-        self.guided.put_on(profile.synergies)
-        self.calibration.put_on(self._filter.state, profile)
+        self.guided.apply_profile(profile.synergies)
+        self.calibration.apply_profile(self._filter.state, profile)
         if not self.calibration.is_frozen:
             self._shows.hand.confidence.worn(self._filter.state)
         self.show()
@@ -150,7 +150,7 @@ class KnownWearer:
         for a segment that is not estimated."""
         self.calibration.reset(self._filter.state, segments)
         if segments is None:
-            self.guided.put_on(None)
+            self.guided.apply_profile(None)
             self.show()
         self.changed()
 

@@ -238,8 +238,8 @@ class ChainTracker:
         """
         if not self._judge.is_in_vain(frame.t):
             return None
-        lately = self._judge.was_recent(frame.t)
-        return self._start(frame, self.wearer.calibration.start_with(self.state, lately))
+        recent = self._judge.was_recent(frame.t)
+        return self._start(frame, self.wearer.calibration.start_with(self.state, recent))
 
     def start(self, frame: BlobFrame) -> FrameResult | None:
         return self._start(frame, self.wearer.calibration.saved.known)

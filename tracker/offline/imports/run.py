@@ -64,18 +64,18 @@ class ImportedPackets(NamedTuple):
             yield ImuSample(at, arrival, device, seq, accel, gyro, valid[k])
 
 
-def chosen(names: Sequence[str], imus: Sequence[str], asked: dict[str, str]) -> dict[str, str]:
-    """Maps IMUs of the glove to IMUs of the files: as ``asked``, by name, or the only one.
+def chosen(names: Sequence[str], imus: Sequence[str], requested: dict[str, str]) -> dict[str, str]:
+    """Maps IMUs of the glove to IMUs of the files: as ``requested``, by name, or the only one.
 
     Raises ConfigError that lists the IMUs.
     """
-    for imu, name in asked.items():
+    for imu, name in requested.items():
         if imu not in imus or name not in names:
             raise ConfigError(
                 notice("import.imu_unknown", imu=imu, name=name, found=names, imus=imus)
             )
-    if asked:
-        return asked
+    if requested:
+        return requested
     same = {imu: name for imu in imus for name in names if imu.lower() == name.lower()}
     if not same and len(names) == 1:
         return {imus[0]: names[0]}

@@ -17,13 +17,13 @@ from tracker.base.registry import Registry
 from tracker.session.export.options import ExportOptions
 
 if TYPE_CHECKING:
-    from tracker.base.workers import WorkersAsked
+    from tracker.base.workers import WorkerRequest
     from tracker.session.export.series import EstimateSeries
     from tracker.session.reader import SessionReader
 
 Writer: TypeAlias = "Callable[[SessionReader, Path, ExportOptions], EstimateSeries | None]"
 DatasetWriter: TypeAlias = (
-    "Callable[[Sequence[Path], Path, ExportOptions, Callable[[float], None], WorkersAsked],"
+    "Callable[[Sequence[Path], Path, ExportOptions, Callable[[float], None], WorkerRequest],"
     " dict[str, Any]]"
 )
 COMMON = ("rate", "axes", "units", "start", "stop", "joints", "anonymous")

@@ -12,7 +12,7 @@ import numpy as np
 
 from tracker import __version__
 from tracker.base.files import check_target, sha256, whole_files
-from tracker.base.workers import ALL_CORES, WorkersAsked
+from tracker.base.workers import ALL_CORES, WorkerRequest
 from tracker.messages import Validity
 from tracker.session.edits import WORD, edits_text
 from tracker.session.export.formats import FORMATS, ExportFormat
@@ -63,7 +63,7 @@ def export_dataset(
     path_out: Path,
     options: ExportOptions,
     watch: Callable[[float], None] = lambda share: None,
-    asked: WorkersAsked = ALL_CORES,
+    pool: WorkerRequest = ALL_CORES,
 ) -> dict[str, Any]:
     """Write several sessions, and all sessions in given folders, as one data set.
 
@@ -73,7 +73,7 @@ def export_dataset(
     kind = FORMATS.get(format)
     write = kind.load_dataset()
     kind.check(options)
-    return write(sources, path_out, options, watch, asked)
+    return write(sources, path_out, options, watch, pool)
 
 
 def sides_of(path: Path) -> tuple[str, ...]:

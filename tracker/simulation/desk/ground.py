@@ -38,17 +38,17 @@ def desk_pose(camera: CameraPose) -> tuple[Array, Array]:
     return np.column_stack([x, np.cross(z, x), z]), camera.p_GC - HEIGHT * z
 
 
-def strength(light_place: Array, points: Array, normals: Array, softness: float = 0.0) -> Array:
+def strength(light_position: Array, points: Array, normals: Array, softness: float = 0.0) -> Array:
     """(…) irradiance relative to that at `REFERENCE`, on surfaces at points (…, 3) with normals (…,
     3).
 
     It decreases with the squared distance; an extended light reaches slightly beyond the
     terminator.
     """
-    away = light_place - points
+    away = light_position - points
     r2 = np.sum(away * away, axis=-1)
     cosine = np.sum(away * normals, axis=-1) / np.sqrt(r2)
-    near = light_place - REFERENCE
+    near = light_position - REFERENCE
     return np.maximum((cosine + softness) / (1 + softness), 0.0) * float(near @ near) / r2
 
 
@@ -69,7 +69,7 @@ class Desk:
         rng = rng_for(seed, "desk")
         self.light = light
         shift = rng.uniform(-0.06, 0.06, 3)
-        self.lamp_place: Array = np.array(light.position) + shift
+        self.lamp_position: Array = np.array(light.position) + shift
         self.power = float(rng.uniform(0.92, 1.08))
         shape = (round((LAST - FIRST) / TEXEL), round(2 * HALF / TEXEL))
         by_chance = "wood" if rng.random() < 0.7 else "laminate"
@@ -94,11 +94,11 @@ class Desk:
     def _shadows(self, shape: tuple[int, int], step: float) -> tuple[Texture, Texture]:
         """(h, w): shares of the lamp and of the sky that are not blocked by the objects."""
         hidden, foot = np.zeros(shape, np.float32), np.zeros(shape, np.float32)
-        spread = self.light.softness * np.linalg.norm(self.lamp_place - REFERENCE)
+        spread = self.light.softness * np.linalg.norm(self.lamp_position - REFERENCE)
         golden = np.pi * (3 - np.sqrt(5)) * np.arange(LAMP_SAMPLES)
         disc = np.sqrt((np.arange(LAMP_SAMPLES) + 0.5) / LAMP_SAMPLES)
         for a, r in zip(golden, disc, strict=True):
-            lamp = self.lamp_place + spread * r * np.array([0.5 * np.cos(a), np.sin(a), 0.5])
+            lamp = self.lamp_position + spread * r * np.array([0.5 * np.cos(a), np.sin(a), 0.5])
             one = np.zeros(shape, np.uint8)
             for item in self.items:
                 cv2.fillConvexPoly(one, _cast(item.corners, lamp, step), 1)
@@ -146,7 +146,7 @@ class Desk:
     def _light(self, points: Array, normals: Array) -> tuple[Array, Array]:
         """Irradiance of surfaces: the lamp's share (…), and the rest, linear BGR (…, 3)."""
         light = self.light
-        main = self.power * strength(self.lamp_place, points, normals, light.softness)
+        main = self.power * strength(self.lamp_position, points, normals, light.softness)
         second = strength(np.array(light.second_position), points, normals)
         sky = 0.6 + 0.4 * normals[..., 2]
         rest = sky[..., None] * np.array(light.sky) + second[..., None] * np.array(light.second)
@@ -173,7 +173,7 @@ class Desk:
 
     def _glint(self, points: Array, normals: Array, rays: Array) -> Array:
         """The lamp's reflection on a glossy surface (Blinn 1977)."""
-        to_lamp = self.lamp_place - points
+        to_lamp = self.lamp_position - points
         to_lamp = to_lamp / np.linalg.norm(to_lamp, axis=1, keepdims=True)
         half = to_lamp - rays / np.linalg.norm(rays, axis=1, keepdims=True)
         half = half / np.linalg.norm(half, axis=1, keepdims=True)

@@ -138,7 +138,7 @@ class DeskRenderer:
         R_GD, p_GD = desk_pose(pose)
         R_DC, p_DC = R_GD.T @ pose.R_GC, R_GD.T @ (pose.p_GC - p_GD)
         self._R_CD, self._p_DC = R_DC.T, p_DC
-        light, lamp = self.light, desk.lamp_place
+        light, lamp = self.light, desk.lamp_position
         second = np.array(light.second_position)
         self._lights = RoomLights(
             (lamp - p_DC) @ R_DC,

@@ -96,14 +96,14 @@ class WearerCalibration:
         """The learned wearer profile."""
         return self.saved.held or profile_of(state, self._layout)
 
-    def start_with(self, state: ChainState, lately: bool) -> WearerProfile | None:
-        """The profile for a search of a lost hand: that of ``state`` if it was tracked ``lately``,
+    def start_with(self, state: ChainState, recent: bool) -> WearerProfile | None:
+        """The profile for a search of a lost hand: that of ``state`` if it was tracked ``recent``,
         else the initial one."""
-        return profile_of(state, self._layout) if lately else self.saved.known
+        return profile_of(state, self._layout) if recent else self.saved.known
 
     # ---- a user's commands
 
-    def put_on(self, state: ChainState, profile: WearerProfile) -> None:
+    def apply_profile(self, state: ChainState, profile: WearerProfile) -> None:
         """Use a wearer profile, now and at each new start."""
         self.saved.known, self.saved.by_motion = profile, SizeByMotionSavedState()
         wear(state, self._layout, profile)

@@ -75,7 +75,7 @@ class GuidedLearning:
         prior = self.saved.prior
         return prior if len(prior.value) else self._distal.of_hand_file()
 
-    def put_on(self, known: Synergies | None) -> None:
+    def apply_profile(self, known: Synergies | None) -> None:
         """Start over with the synergies of a wearer profile, or (None) of an unknown wearer."""
         self.saved.accepted, self.saved.base, self.saved.synergies = [], known, known
 

@@ -59,7 +59,7 @@ class LearnsWearer(Protocol):
     def profile(self) -> WearerProfile:
         """The learned wearer profile."""
 
-    def put_on(self, profile: WearerProfile) -> None:
+    def apply_profile(self, profile: WearerProfile) -> None:
         """Use a wearer profile, now and at each new start."""
 
 
@@ -68,21 +68,21 @@ def learner_of(engine: Engine) -> LearnsWearer | None:
     return engine if isinstance(engine, LearnsWearer) else None
 
 
-def put_on(engine: Engine, profile: Path) -> None:
+def load_wearer(engine: Engine, profile: Path) -> None:
     """Start with a wearer profile. Raises ConfigError for an engine that does not use profiles,
     FileError for an invalid file."""
     learner = _learner(engine)
-    learner.put_on(read_wearer(profile, learner.layout).profile)
+    learner.apply_profile(read_wearer(profile, learner.layout).profile)
 
 
-def measure(engine: Engine, length: float) -> None:
-    """Start with a hand of ``length`` m, average otherwise. Raises as `put_on`."""
+def start_with_length(engine: Engine, length: float) -> None:
+    """Start with a hand of ``length`` m, average otherwise. Raises as `load_wearer`."""
     learner = _learner(engine)
-    learner.put_on(measured_profile(learner.layout, length))
+    learner.apply_profile(measured_profile(learner.layout, length))
 
 
-def keep(engine: Engine, profile: Path) -> None:
-    """Write the learned profile to the file, replacing it. Raises as `put_on`."""
+def save_wearer(engine: Engine, profile: Path) -> None:
+    """Write the learned profile to the file, replacing it. Raises as `load_wearer`."""
     write_wearer(profile, learned(_learner(engine)))
 
 
@@ -95,7 +95,7 @@ def take_gyro_bias(engine: Engine, bias: Array, sd: Array) -> None:
     """Use gyro biases (n, 3) rad/s, with sd (n,), measured at rest; no effect on an engine that
     does not learn the wearer."""
     if (learner := learner_of(engine)) is not None:
-        learner.put_on(with_gyro_bias(learner.profile(), learner.layout, bias, sd))
+        learner.apply_profile(with_gyro_bias(learner.profile(), learner.layout, bias, sd))
 
 
 def _learner(engine: Engine) -> LearnsWearer:
