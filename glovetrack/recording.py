@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from glovetrack.arguments import argument_errors, check_types
 from glovetrack.recorded import RecordedData
 from glovetrack.session_file import SessionFile, Window
 from tracker.base.numeric_threads import one_numeric_thread
@@ -123,12 +124,13 @@ class Recording(RecordedData):
         """
         from tracker.offline.track import track  # deferred: loads every engine
 
-        asked = options or TrackOptions(
+        chosen = options or TrackOptions(
             engine=engine, wearer=str(wearer), smooth=smooth, with_sensors=True
         )
-        with _target(out, f"{self.path.stem}_tracked.mcap") as (target, folder):
+        check_types(chosen)
+        with argument_errors(), _target(out, f"{self.path.stem}_tracked.mcap") as (target, folder):
             with one_numeric_thread(), self._file.as_file(to_track=True) as source:
-                track(source, target, asked, force=force)
+                track(source, target, chosen, force=force)
             return Recording(target, folder=folder, zero_ns=self._file.zero_ns)
 
     def export(
@@ -146,10 +148,14 @@ class Recording(RecordedData):
         """
         from tracker.session.export.run import export  # deferred: loads every format
 
-        with one_numeric_thread(), self._file.as_file(to_track=False) as source:
-            return MappingProxyType(
-                export(source, format, Path(path), options or ExportOptions(), force=force)
-            )
+        chosen = options or ExportOptions()
+        check_types(chosen)
+        with (
+            argument_errors(),
+            one_numeric_thread(),
+            self._file.as_file(to_track=False) as source,
+        ):
+            return MappingProxyType(export(source, format, Path(path), chosen, force=force))
 
     def compare(self, other: Recording) -> Mapping[str, Any]:
         """Compares it with another tracking of the same movement: ``identical``, distances of
@@ -204,14 +210,15 @@ def simulate(
     ``path``: the new file, else one that is deleted with the returned object. ``duration`` in s;
     ``hands``: ``right``, ``left`` or ``both``; without ``images`` the detected blobs are written,
     which is faster. ``options``: all options of ``glovetrack simulate``, instead of these.
-    Raises ConfigError for invalid ones.
+    Raises ConfigError for invalid values, TypeError for another type.
     """
     from tracker.offline import simulate as simulation  # deferred: the simulator
 
-    asked = options or simulation.SimulateOptions(
+    chosen = options or simulation.SimulateOptions(
         seed=seed, duration=duration, hands=hands, images=images
     )
-    with _target(path, "simulated.mcap") as (target, folder):
+    check_types(chosen)
+    with argument_errors(), _target(path, "simulated.mcap") as (target, folder):
         with one_numeric_thread():
-            simulation.simulate(target, asked, force=force)
+            simulation.simulate(target, chosen, force=force)
         return Recording(target, folder=folder)
