@@ -164,7 +164,7 @@ class FileUpdate:
 
 
 @dataclass(frozen=True, eq=False)
-class Update:
+class EngineUpdate:
     """What is new since the last message. ``profile`` are the colours after ``profiles`` changes by
     the user, None: unchanged."""
 
@@ -181,7 +181,7 @@ class Update:
 class Received(NamedTuple):
     """News, and the name of the memory of the pixels from these news on; empty: as before."""
 
-    news: Update
+    news: EngineUpdate
     memory: str
 
 

@@ -7,7 +7,7 @@ import time
 from collections.abc import Mapping, Sequence
 from typing import TypeVar, cast
 
-from app.engines.apart.messages import FileUpdate, HandUpdate, NewFrame, Pixels, Update
+from app.engines.apart.messages import EngineUpdate, FileUpdate, HandUpdate, NewFrame, Pixels
 from app.engines.apart.pixels import PixelWriter
 from app.engines.engine import EngineSetup
 from app.engines.protocols import RecordedFile
@@ -105,7 +105,7 @@ class Newsroom:
         self.pixels = PixelWriter()
         self._is_full = False  # the system's shared memory
 
-    def news(self) -> tuple[Update, str]:
+    def news(self) -> tuple[EngineUpdate, str]:
         """Everything since the last call, and the name of the memory of pixels if it is new."""
         setup, now = self._setup, time.monotonic()
         hands = {side: watch.news(now) for side, watch in self._hands.items()}
@@ -113,7 +113,7 @@ class Newsroom:
         profiles, profile = self.profiles, setup.engine.profile  # in this order
         changed, self._profile = profile != self._profile, profile
         device = setup.camera.device
-        return Update(
+        return EngineUpdate(
             hands,
             pixels,
             tuple(setup.engine.drain_events()),
