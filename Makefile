@@ -1,8 +1,9 @@
 # make demo         run the application with a simulated glove and camera
-# make test         linters and all tests, with the type checker and import contracts in parallel (their
+# make test         linters and tests, with the type checker and import contracts in parallel (their
 #                   output is printed last); tests on real recordings read data/ or the folder in
 #                   GLOVETRACK_DATA, and are skipped if it does not exist; those of the firmware need
 #                   its compiler and a chip simulator (system packages), and are skipped without them
+# make test-long    the tests that make test leaves out: marked "long", each takes seconds to minutes
 # make lint         linters, spelling, type checker and import contracts, without the tests
 # make firmware     build the glove's firmware and its simulator; prints their sizes
 # make openxr-layer compile the OpenXR API layer, which gives the hand to any OpenXR application
@@ -36,9 +37,10 @@ WORKERS := $(shell expr $$(getconf _NPROCESSORS_ONLN) + 1)
 # Tests start hundreds of processes. Many container images disable bytecode caching, in which case
 # each process would recompile every module.
 KEPT := PYTHONDONTWRITEBYTECODE=
+PYTEST = $(KEPT) $(OFFSCREEN) $(BIN)/pytest -n $(WORKERS) --dist worksteal --durations=30
 TYPES := $(BIN)/mypy && $(BIN)/lint-imports
 
-.PHONY: demo test lint firmware openxr-layer screenshots translations docs package wheel bench bench-peers kernels lock clean
+.PHONY: demo test test-long lint firmware openxr-layer screenshots translations docs package wheel bench bench-peers kernels lock clean
 .DELETE_ON_ERROR:
 
 demo: $(READY)
@@ -55,8 +57,12 @@ test: $(READY_FOR_TESTS)
 	packaging/prose.sh $(VENV)
 	@mkdir -p build
 	{ $(TYPES); } >build/types.txt 2>&1 & types=$$!; \
-	$(KEPT) $(OFFSCREEN) $(BIN)/pytest -n $(WORKERS) --dist worksteal --durations=30; tests=$$?; \
+	$(PYTEST) -m "not long"; tests=$$?; \
 	wait $$types; checked=$$?; cat build/types.txt; exit $$((tests + checked))
+
+test-long: $(READY_FOR_TESTS)
+	packaging/system_libraries.sh firmware-tests openxr-tests
+	$(PYTEST) -m long
 
 lint: $(READY_FOR_TESTS)
 	$(BIN)/ruff check .

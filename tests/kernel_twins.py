@@ -50,6 +50,9 @@ CLOSE = 1e-9
 CLOSE_FAST = 1e-4
 """The same with fast-math, where images are drawn in single precision."""
 
+USUAL = "not long"
+"""The selection of `make test`: it too compares every kernel."""
+
 OTHERWISE = {
     "tracker.vision.hue_table._fill_table": "16 million colours; test_detector asks OpenCV",
 }
@@ -300,7 +303,7 @@ def register(config: pytest.Config, folder: Path) -> None:
     os.environ[DONE] = str(folder / "kernels_compared.txt")
     os.environ.setdefault(MISFITS, str(folder / "kernels_misfits.txt"))
     every = config.args == config.getini("testpaths") and not config.option.keyword
-    if every and not config.option.markexpr:
+    if every and config.option.markexpr in ("", USUAL) and not config.option.collectonly:
         config.pluginmanager.register(
             EveryKernel(Path(os.environ[DONE]), Path(os.environ[MISFITS])), "every_kernel"
         )

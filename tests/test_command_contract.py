@@ -150,6 +150,7 @@ def test_report(folder: Path) -> None:
     assert 0 <= hand["lost_percent"] < 100
 
 
+@pytest.mark.long
 def test_a_report_of_several_sessions(folder: Path) -> None:
     sessions = [folder / "tracked.mcap"] * 2
     found = run_json(folder, "report", *sessions, "-o", folder / "two.html")

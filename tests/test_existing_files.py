@@ -292,6 +292,7 @@ def files_in(folder: Path) -> dict[Path, bytes]:
     return {p.relative_to(folder): p.read_bytes() for p in folder.rglob("*") if p.is_file()}
 
 
+@pytest.mark.long
 @pytest.mark.timeout(600)
 @pytest.mark.usefixtures("workers_here")
 @pytest.mark.parametrize("command", CASES)
@@ -347,6 +348,7 @@ def _survives(command: str, sessions: Sessions, folder: Path, name: Path) -> Non
     assert (folder / name).read_bytes() == OWN
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("form", FORMATS.names())
 def test_an_export_replaces_nothing_without_force(
     form: str, sessions: Sessions, tmp_path: Path

@@ -45,6 +45,7 @@ def test_estimates_in_order_and_a_recording_that_is_tracked_again(tmp_path: Path
     assert "recording.started" in [e.code for e in recorded.events]
 
 
+@pytest.mark.long
 def test_both_hands_without_a_camera_come_in_one_stream() -> None:
     with glovetrack.LiveTracker.simulated(seed=3, hands="both", camera=False) as live:
         sides = set()

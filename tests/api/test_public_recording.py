@@ -140,6 +140,7 @@ def test_a_slice_is_tracked_as_the_whole(live: glovetrack.Recording) -> None:
     assert "x" in repr(next(live.images())) and len(repr(next(live.images()))) < 60
 
 
+@pytest.mark.long
 def test_another_engine(live: glovetrack.Recording, tmp_path: Path) -> None:
     other = live.track(engine="vist", out=tmp_path / "vist.mcap")
     assert other.engine == "vist" and other.path == tmp_path / "vist.mcap"
@@ -159,6 +160,7 @@ def test_exports_contain_the_same_numbers(live: glovetrack.Recording, tmp_path: 
     np.testing.assert_allclose(written, live.keypoints["index_tip"][:, 0], atol=1e-6)
 
 
+@pytest.mark.long
 def test_both_hands(live_recordings: LiveRecordings) -> None:
     both = glovetrack.open(live_recordings.path("both hands"))
     assert both.sides == ("left", "right") and set(both.hands) == {"left", "right"}

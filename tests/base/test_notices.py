@@ -147,6 +147,7 @@ def is_translated(node: ast.AST) -> bool:
     return isinstance(node, ast.Call) and name_of(node.func) in {"tr", "translate", "error_text"}
 
 
+@pytest.mark.long
 def test_errors_carry_notices_rather_than_sentences_of_the_window() -> None:
     """A sentence that is translated when the error is raised cannot be shown in other languages."""
     errors = error_classes()

@@ -18,6 +18,7 @@ SECONDS = 6.0
 PIECES = ['"', '"', "\\", '"""', "'", "'''", "a", "\n", " = ", "#", "b", "[", "]", "\\n"]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("begin", "part"),
     [

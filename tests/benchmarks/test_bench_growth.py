@@ -47,6 +47,7 @@ def test_imus_and_markers_are_added_to_the_gloves_own(hand: HandModel, glove: Gl
     assert len({(m.segment, *m.position) for m in hundred.markers}) == len(positions) == 100
 
 
+@pytest.mark.long
 def test_a_long_session_repeats_its_piece(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("tests.benchmarks.growth.PIECE", 2.0)
     path = tmp_path / "long.mcap"

@@ -98,6 +98,7 @@ def found(glove: GloveModel, profile: ColourProfile, gain: Array) -> int:
     return int(np.sum(result.match_left >= 0))
 
 
+@pytest.mark.long
 def test_colours_adapt_to_a_warm_lamp_that_is_turned_up(
     glove: GloveModel, learned: ColourProfile
 ) -> None:

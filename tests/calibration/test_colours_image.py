@@ -44,6 +44,7 @@ def glove_image(
     return np.clip(noisy, 0, 255).astype(np.uint8)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("shift", "gain"), [(0, 1.0), (6, 1.0), (-7, 0.6), (12, 1.0)])
 def test_an_image_gives_colours_that_find_the_patches(shift: int, gain: float) -> None:
     """With a shift of 12 units of hue, the previous colours miss cloth."""

@@ -67,6 +67,7 @@ def test_each_rest_and_position_is_found(found: tuple[RestFinder, DrawnImuErrors
     assert found[0].positions() == 12 and found[0].is_still
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("imu", range(N))
 def test_the_errors_are_those_of_the_simulated_imus(
     found: tuple[RestFinder, DrawnImuErrors], imu: int

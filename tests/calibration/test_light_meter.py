@@ -38,6 +38,7 @@ def usual_advice(images) -> set[str]:
     return {kind for kind, n in counts.items() if kind in ABOUT_LIGHT and n > count / 2}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("light", EXPECTED)
 def test_photographs_get_the_advice_for_their_light(light: str, data_folder: Path) -> None:
     folder = data_folder / "desk_pictures" / light
@@ -47,6 +48,7 @@ def test_photographs_get_the_advice_for_their_light(light: str, data_folder: Pat
     assert counts == EXPECTED[light]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("light", EXPECTED)
 def test_simulated_rooms_get_the_advice_for_their_light(light: str) -> None:
     """Lamp light varies between images with the lit part of the glove; so this is tested for
@@ -168,6 +170,7 @@ def fitted_otherwise() -> list[ColourProfile]:
     return [*turned, swollen, replace(PROFILE, learned=none)]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("light", EXPECTED)
 def test_the_result_does_not_depend_on_the_fitted_colours(light: str) -> None:
     images = desk_scores.simulated(light, 3, np.array([1.0]), desk_scores.SURFACES[light])

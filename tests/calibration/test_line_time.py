@@ -27,6 +27,8 @@ from tracker.simulation.scenario import Simulation
 from tracker.vision.lenses import with_one_camera
 from tracker.vision.rig import ideal_rig, with_readout
 
+pytestmark = pytest.mark.long
+
 
 @pytest.mark.parametrize("cameras", [1, 2])
 def test_a_calibration_file_keeps_the_line_time(tmp_path: Path, cameras: int) -> None:

@@ -93,6 +93,7 @@ def longest(wrong: np.ndarray, period: float) -> float:
     return best * period
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seed", [1, 2])
 def test_hands_that_cross_and_occlude_each_other_are_tracked_as_well_as_alone(seed: int) -> None:
     """In these two a hand is completely occluded by the other for two seconds; its IMUs bridge a
@@ -108,6 +109,7 @@ def test_hands_that_cross_and_occlude_each_other_are_tracked_as_well_as_alone(se
         assert longest(off > 0.035, 0.05) <= 0.2
 
 
+@pytest.mark.long
 def test_independent_pipelines_would_use_the_others_markers() -> None:
     """The reason for assigning blobs to hands: the first test's limits are exceeded without it."""
     sim = simulated(2, 8.0)

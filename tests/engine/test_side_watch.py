@@ -32,6 +32,7 @@ def test_the_files_of_both_sides_are_mirror_images() -> None:
         np.testing.assert_allclose(a.R_BI, b.R_BI, atol=1e-9)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("worn", "not_found", "expected"),
     [

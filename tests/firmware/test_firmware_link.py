@@ -101,6 +101,7 @@ def test_the_ordinary_serial_code_reads_the_simulated_chip(build: Path, tmp_path
     assert warning("glove.imu_silent", imu=5) in reported
 
 
+@pytest.mark.long
 def test_a_pulse_is_an_event_at_its_time_on_the_hosts_clock(build: Path) -> None:
     with simulated_glove(build, fast=False) as glove:
         glove.port.close()

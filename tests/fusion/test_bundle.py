@@ -141,6 +141,7 @@ def test_stored_postures_become_more_diverse(engine: ChainEngine) -> None:
     assert len(store.stored) == 5
 
 
+@pytest.mark.long
 def test_a_saved_state_resumes_in_the_middle_of_a_solution(sim: Simulation) -> None:
     messages = list(sim.feed())
     whole = Pipeline(sim.hand, sim.glove, sim.rig, with_bundle(EARLY))

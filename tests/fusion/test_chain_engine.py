@@ -154,6 +154,7 @@ def root_dead(s: ImuSample) -> ImuSample:
     return dataclasses.replace(s, valid=valid)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("fault", [stuck, not_a_number, root_dead])
 def test_a_broken_imu_degrades_and_recovers(
     sim: Simulation, fault: Callable[[ImuSample], ImuSample | None]
@@ -210,6 +211,7 @@ def shrunk(hand: HandModel, glove: GloveModel, k: float) -> tuple[HandModel, Glo
     )
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("k", [0.9, 1.1])
 def test_a_hand_file_of_the_wrong_size(hand: HandModel, glove: GloveModel, k: float) -> None:
     sim = simulation(hand, glove, 4, 10.0)
@@ -228,6 +230,7 @@ def sim_length(sim: Simulation) -> float:
     return float(np.linalg.norm(np.diff(flat[chain], axis=0), axis=1).sum())
 
 
+@pytest.mark.long
 def test_markers_on_the_fingertips_help(
     hand: HandModel, distal_glove: GloveModel, glove: GloveModel
 ) -> None:

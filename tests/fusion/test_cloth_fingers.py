@@ -103,6 +103,7 @@ def disturbances(scene: Scene) -> dict[str, list[Capsule]]:
     }
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("bent", [(40.0, 50.0), (-10.0, 20.0)])
 def test_nothing_false_is_measured_beside_other_things_of_the_gloves_colour(
     hand: HandModel, glove: GloveModel, bent: tuple[float, float]
@@ -242,6 +243,7 @@ def test_an_engine_measures_them_unless_it_is_set_not_to(
     assert shown[1].keypoint_sd[row] < 0.75 * shown[0].keypoint_sd[row]
 
 
+@pytest.mark.long
 def test_an_image_of_a_fast_camera_is_evaluated_for_fingertips_or_for_one_finger(
     hand: HandModel, glove: GloveModel, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -69,6 +69,7 @@ def test_an_unusual_glove_is_reported_once_within_20_s(hand: HandModel, glove: G
     assert "22–23" in str(report), "of the markers that are 3 mm off"
 
 
+@pytest.mark.long
 def test_an_imu_that_is_mounted_differently_is_reported(hand: HandModel, glove: GloveModel) -> None:
     """In this wearer that of the middle finger's intermediate segment is turned by 30°."""
     found = reports(hand, glove, 823, TWICE, 13.0)
@@ -77,6 +78,7 @@ def test_an_imu_that_is_mounted_differently_is_reported(hand: HandModel, glove: 
     assert float(str(report.values["angle_deg"])) == pytest.approx(30.0, abs=10.0)
 
 
+@pytest.mark.long
 def test_a_usual_glove_is_not_reported(hand: HandModel, glove: GloveModel) -> None:
     assert reports(hand, glove, 724, USUAL, 19.0) == []
 

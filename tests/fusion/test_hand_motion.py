@@ -49,6 +49,7 @@ def rms(values: Array) -> float:
     return float(np.sqrt(np.mean(values**2)))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("engine", "linear_most", "angular_most"),
     [("chain", 0.012, 0.06), ("vist", 0.02, 0.08), ("switching", 0.05, 0.3), ("inertial", 0, 0.1)],

@@ -20,6 +20,7 @@ def sim(hand: HandModel, glove: GloveModel) -> Simulation:
     return Simulation(hand, glove, RandomPostures(hand, 1, duration=6.0), 1, fps=30)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("engine", ["switching", "madgwick"])
 def test_follows_the_fingers_by_their_imus_alone(sim: Simulation, engine: str) -> None:
     """Mounting and bias are not estimated here, so a few centimetres at the tips are expected."""

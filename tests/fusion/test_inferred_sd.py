@@ -86,6 +86,7 @@ def within_3_sd(estimates: list[Estimate], truth: list[Array]) -> float:
     return float(together.mean())
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("engine", ["chain", "vist"])
 @pytest.mark.parametrize(("make", "seed"), [(starved, 26), (bursts, 11), (bursts, 22)])
 def test_inferred_points_are_within_3_sd_under_overload(
@@ -99,6 +100,7 @@ def test_inferred_points_are_within_3_sd_under_overload(
     assert within_3_sd(estimates, truth) >= 0.95
 
 
+@pytest.mark.long
 @pytest.mark.data
 @pytest.mark.parametrize("engine", ["chain", "vist", "switching"])
 def test_inferred_points_of_an_overloaded_recording(data_folder: Path, engine: str) -> None:

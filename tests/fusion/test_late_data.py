@@ -94,6 +94,7 @@ def longest(wrong: np.ndarray, t: np.ndarray) -> float:
     return most
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seed", [2, 3])
 def test_an_overloaded_computer_loses_images_but_not_accuracy(
     hand: HandModel, glove: GloveModel, seed: int
@@ -114,6 +115,7 @@ def test_an_overloaded_computer_loses_images_but_not_accuracy(
     assert longest(measured & (error > 0.05), t) <= 0.1
 
 
+@pytest.mark.long
 def test_late_packets_lead_to_the_state_of_those_in_order(
     hand: HandModel, glove: GloveModel
 ) -> None:
@@ -137,6 +139,7 @@ def test_late_packets_lead_to_the_state_of_those_in_order(
     assert np.abs(a.keypoints - b.keypoints).max() < 5e-4
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("stall", [4.0, 1.0])
 def test_packets_that_arrive_seconds_late_cause_no_false_measurement(
     hand: HandModel, glove: GloveModel, monkeypatch: pytest.MonkeyPatch, stall: float
@@ -165,6 +168,7 @@ def test_packets_that_arrive_seconds_late_cause_no_false_measurement(
     assert np.mean((error <= 3 * sd)[stale]) >= 0.98
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("engine", ["chain", "vist"])
 def test_the_sd_of_a_propagated_state_grows(
     hand: HandModel, glove: GloveModel, engine: str

@@ -69,6 +69,7 @@ def simulation(hand: HandModel, glove: GloveModel, seed: int, duration: float) -
     return Simulation(hand, glove, RandomPostures(hand, seed, duration=duration), seed, fps=20)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("blind", ["right", "left"])
 def test_one_camera_tracks_and_reports_its_uncertainty(hand, glove, blind: str) -> None:
     sim = simulation(hand, glove, 4, 6.0)

@@ -87,6 +87,7 @@ def _run(pipeline: Pipeline, samples: list[ImuSample], reset: bool) -> dict[floa
     return out
 
 
+@pytest.mark.long
 def test_a_drifted_heading_is_reset_to_straight_ahead(
     wearer: Simulation, drifting: list[ImuSample]
 ) -> None:
@@ -103,6 +104,7 @@ def test_a_drifted_heading_is_reset_to_straight_ahead(
     assert (reported.code, reported.values["side"]) == ("pose_reset.done_heading", "right")
 
 
+@pytest.mark.long
 def test_tilt_and_the_size_of_the_hand_are_unchanged(
     wearer: Simulation, drifting: list[ImuSample]
 ) -> None:
@@ -152,6 +154,7 @@ def test_rows_are_the_derivative_of_the_bends(layout: ChainLayout) -> None:
     assert not np.delete(H, columns, axis=1).any()
 
 
+@pytest.mark.long
 def test_a_drifted_finger_is_straightened(hand: HandModel, glove: GloveModel) -> None:
     sim = held_flat(hand, glove, seed=4)
     index = np.array([imu.segment.startswith("index") for imu in glove.imus])
@@ -211,6 +214,7 @@ def test_an_engine_without_it_reports_it(wearer: Simulation) -> None:
     assert (reported.code, reported.values["engine"]) == ("pose_reset.not_supported", "vist")
 
 
+@pytest.mark.long
 def test_a_recorded_reset_is_tracked_again_bit_for_bit(
     wearer: Simulation, drifting: list[ImuSample], tmp_path: Path
 ) -> None:

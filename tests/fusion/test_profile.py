@@ -1,6 +1,7 @@
 """A learned wearer profile used in another run."""
 
 import numpy as np
+import pytest
 
 from tests.fusion.test_chain_engine import errors, feed, simulation, times
 from tracker.engine.pipeline import Pipeline
@@ -9,6 +10,7 @@ from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 
 
+@pytest.mark.long
 def test_a_known_wearer_starts_more_accurately(hand: HandModel, glove: GloveModel) -> None:
     sim = simulation(hand, glove, 7, 12.0)
     messages = list(sim.feed())

@@ -67,6 +67,7 @@ def test_the_added_uncertainty_is_common_to_all_sizes(hand: HandModel, glove: Gl
     assert with_min_size_sd(unsure, layout, KNOWN) is unsure  # never reduced
 
 
+@pytest.mark.long
 def test_a_profile_learned_with_one_camera_keeps_the_size_uncertain(hand, glove, tmp_path) -> None:
     """Its bones were assumed as in the file: they must not count as known to 1.5 % the next day."""
     engine, _, _ = one_camera(simulation(hand, glove, 4, 5.0))
@@ -130,6 +131,7 @@ def test_two_cameras_measure_the_size(hand, glove) -> None:
     assert size_sd(pipeline.engine.profile(), pipeline.engine.layout) < KNOWN
 
 
+@pytest.mark.long
 def test_a_ruler_measurement_during_tracking_corrects_the_distance(hand, glove) -> None:
     """An eighth smaller than the file's, it was 43 mm off. Its girth is 6 % larger than its length
     suggests, which one lens mistakes for distance: it remains 10 mm off."""

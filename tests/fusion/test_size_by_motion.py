@@ -142,6 +142,7 @@ def test_with_a_ruler_the_girth_is_measured(hand, glove) -> None:
     assert ratio[:, 1].mean() > 1.08
 
 
+@pytest.mark.long
 def test_a_stranger_is_measured_with_one_camera(hand, glove) -> None:
     """A hand 12 % smaller than its file; a copy of the engine in the middle of a window continues
     identically."""

@@ -176,6 +176,7 @@ def test_what_was_seen_fades(layout: ChainLayout, rig: StereoRig, flat: ChainSta
     assert worn.tips.saved.P[0, 0, 0] > P[0, 0, 0]
 
 
+@pytest.mark.long
 def test_a_wearer_who_deviates_is_less_certain_where_the_tip_is_hidden(
     layout: ChainLayout, rig: StereoRig, flat: ChainState
 ) -> None:
@@ -212,6 +213,7 @@ def test_the_uncertainty_of_older_recordings_starts_with_that_of_people(
     assert 0.0 < other.tips.saved.measured[0] < worn.tips.saved.measured[0]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("beside", ["a pen", "a bar", "a shadow"])
 @pytest.mark.parametrize("k", [0, 1])
 def test_nothing_false_is_claimed_beside_other_things_of_the_gloves_colour(

@@ -41,6 +41,7 @@ def squared_errors(sim: Simulation) -> Array:
     return np.array(rows)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("speed", [0.0, 1.5])
 def test_velocities_are_as_certain_as_they_are_accurate(
     hand: HandModel, glove: GloveModel, speed: float

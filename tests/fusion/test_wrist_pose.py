@@ -32,6 +32,8 @@ from tracker.session.writer import SessionRecorder
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 
+pytestmark = pytest.mark.long
+
 INERTIAL = Settings(engine="inertial")
 GONE = (3.0, 5.0)  # s in which the tracking system does not see its tracker
 

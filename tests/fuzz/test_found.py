@@ -34,6 +34,7 @@ def test_found_inputs_are_read_or_rejected(case: str) -> None:
     read(case.split("/")[0], (FOUND / case).read_bytes())
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", sorted(TARGETS))
 def test_damaged_examples_are_read_or_rejected(name: str) -> None:
     """Bytes changed, removed, doubled and inserted; shallow, but in every test run."""

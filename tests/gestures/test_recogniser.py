@@ -227,6 +227,7 @@ def test_a_pinch_of_an_inferred_finger_has_lower_confidence() -> None:
     assert 0.5 < sure[0.010] < 0.95
 
 
+@pytest.mark.long
 def test_gestures_of_simulated_people_are_recognised() -> None:
     """On the true hand the rules make no error: each held gesture correct, none false in 20 s."""
     wearer = score(4, free=20.0, on_truth=True)

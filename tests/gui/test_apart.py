@@ -71,6 +71,7 @@ def demo(window, qtbot, receiver):
     return window
 
 
+@pytest.mark.long
 @pytest.mark.timeout(400)
 def test_a_recording_is_complete_although_the_process_crashes(
     demo, receiver, qtbot, tmp_path, caplog
@@ -123,6 +124,7 @@ def test_a_recording_is_complete_although_the_process_crashes(
     qtbot.waitUntil(lambda: is_tracked(demo), timeout=LONG)
 
 
+@pytest.mark.long
 def test_a_waiting_process_is_replaced_after_its_end_and_ends_with_the_window():
     reserve, source = Reserve(), DemoSource(CHOICE)
     reserve.fill(source)

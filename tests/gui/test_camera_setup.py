@@ -147,6 +147,7 @@ class OneDevice:
         pass
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("device", [Deaf(stuck=600.0), Deaf(automatic=True)])
 def test_an_unconfirmed_lock_is_never_shown_as_done(window, qtbot, device):
     source = ControlledInput(OneDevice(device), Locks(exposure=157.0, white_balance=4600.0))
@@ -267,6 +268,7 @@ def test_two_streams_are_two_cameras_with_their_own_sizes(store, dialog, window,
     assert again.other.text() == "rtsp://left/eye"
 
 
+@pytest.mark.long
 def test_images_can_be_exchanged(store, dialog, tmp_path):
     path = tmp_path / "film.avi"
     writer = cv2.VideoWriter(str(path), cv2.VideoWriter.fourcc(*"MJPG"), 10.0, (64, 32))

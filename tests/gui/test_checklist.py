@@ -164,6 +164,7 @@ def reading(found: int, of: int, *advice: Advice):
     )
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("found", "light", "colours"),
     [(9, GOOD, GOOD), (10, GOOD, GOOD), (6, WARN, GOOD), (1, WARN, WARN)],

@@ -57,6 +57,7 @@ def test_samples_before_a_gap_or_a_jump_back_are_dropped() -> None:
     assert len(live) == 1
 
 
+@pytest.mark.long
 def test_a_fit_without_a_hand_is_rejected() -> None:
     live = gathered(ENOUGH)
     live.ask()
@@ -130,6 +131,7 @@ def test_an_automatic_fit_fails_silently() -> None:
     assert found == ()
 
 
+@pytest.mark.long
 @needs_data
 def test_clicks_learn_from_the_images_around_them_like_a_fit() -> None:
     """In lamp light one image of a bent hand shows few patches of each hue, and none of their other

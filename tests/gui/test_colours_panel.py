@@ -188,6 +188,7 @@ def test_the_other_eyedropper_excludes_a_pixel(colours, engine, qtbot):
     assert not colours.tuning.profile.hues[0].contains(pixel)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("signal", ["fit_markers", "fit_image"])
 def test_a_fit_corrects_a_wrong_hue_and_is_one_undo_step(colours, engine, qtbot, signal):
     if signal == "fit_markers":  # the tracker still sees markers of the other hues
@@ -726,6 +727,7 @@ def test_a_grey_pixel_is_rejected_by_both_including_eyedroppers(colours, engine,
         assert colours.tuning.profile == before and engine.profiles == []
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("hue", range(4))
 def test_setting_from_a_pixel_restores_the_markers_of_a_shifted_hue(colours, engine, qtbot, hue):
     """*Pick +* only widens: a hue shifted far away would then be half the circle."""

@@ -72,6 +72,7 @@ def _recorded(window, qtbot, tmp_path):
     return path
 
 
+@pytest.mark.long
 @pytest.mark.timeout(600)  # on a stalled computer
 def test_a_killed_recorder_and_camera_are_reported_and_what_is_recorded_is_replayed_and_exported(
     demo, qtbot, tmp_path
@@ -140,6 +141,7 @@ def _is_replayed(demo, qtbot, path):
     assert not demo.commands.actions["record"].isEnabled()
 
 
+@pytest.mark.long
 @pytest.mark.timeout(600)  # on a stalled computer
 def test_the_wearer_follows_a_script_and_the_guidance_and_closing_leaves_a_complete_file(
     demo, qtbot, tmp_path, monkeypatch

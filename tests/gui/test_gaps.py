@@ -117,6 +117,7 @@ def test_only_gaps_up_to_the_chosen_length_can_be_filled(review):
     assert len(page.fillable()) == 2 and page.fill_button.isEnabled()
 
 
+@pytest.mark.long
 @pytest.mark.processes
 def test_filled_gaps_are_in_a_new_file_and_never_shown_as_measured(review, session, qtbot):
     page, before = review.library.gaps.page, sha256(session)

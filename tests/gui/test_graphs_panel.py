@@ -152,6 +152,7 @@ def test_norms_and_speeds_are_those_of_the_messages(graphs, engine):
     assert speed[at] == pytest.approx(true[inner], rel=1e-6)
 
 
+@pytest.mark.long
 def test_a_pause_freezes_one_graph_and_the_cursor_reads_all(graphs, engine):
     angle = "right/hand/angle/index_"
     plot, other = show(graphs, (angle + "pip_flexion",), (angle + "mcp_flexion",))
@@ -257,6 +258,7 @@ def test_hidden_graphs_compute_nothing(graphs, live, engine, monkeypatch, qtbot)
     qtbot.waitUntil(lambda: bool(asked))
 
 
+@pytest.mark.long
 def test_a_replay_shows_the_whole_recording_and_a_click_goes_there(
     window, qtbot, simulated_sessions
 ):

@@ -77,6 +77,7 @@ def _done(window, name: str) -> bool:
     return next(s for s in steps(view) if s.name == name).done
 
 
+@pytest.mark.long
 def test_both_are_found_and_the_list_follows(connected, qtbot, device):
     assert device.path in connected.windowTitle()
     for name in ("All IMUs respond", "Camera found", "Camera calibrated"):

@@ -64,6 +64,7 @@ def test_a_session_that_could_not_be_recorded_is_reported_as_such(tmp_path: Path
     assert report._session_text(path).endswith("MB), session_left.csv, session_right.csv")
 
 
+@pytest.mark.long
 def test_a_disk_that_fills_up_during_the_report_is_an_error(
     qapp, tmp_path: Path, monkeypatch, capsys
 ) -> None:

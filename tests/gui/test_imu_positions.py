@@ -77,6 +77,7 @@ def measured(dialog, engine, count: int = len(POSITION_NAMES)) -> list[str]:
     return dialog.run.guide.held
 
 
+@pytest.mark.long
 def test_the_positions_give_the_errors_of_the_simulated_imus(dialog, engine, window, qtbot):
     reopened = []
     window.set_up.reopen.connect(lambda: reopened.append(True))

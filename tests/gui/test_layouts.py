@@ -80,6 +80,7 @@ def test_set_up_next_to_the_start_page_is_the_list(window):
     assert not window.docks["checklist"].isVisible()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("job", JOBS, ids=lambda job: job.name)
 def test_a_layout_saved_on_a_small_screen_is_the_same_on_a_large_one_and_back(watched, qtbot, job):
     watched.layouts.choose(job.name)
@@ -214,6 +215,7 @@ def front_tabs(window, job) -> list[bool]:
     return [not window.docks[g[0]].visibleRegion().isEmpty() for g in groups]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("job", ["set_up", "watch", "record"])
 def test_a_replay_opens_in_the_review_layout_and_live_returns_to_the_previous_one(
     watched, session, qtbot, job
@@ -276,6 +278,7 @@ def test_closing_during_a_replay_does_not_make_review_the_layout_of_the_next_sta
     again.close()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("job", [j for j in JOBS if j.name != "all"], ids=lambda job: job.name)
 def test_panels_shown_by_messages_and_commands_do_not_remain_in_the_layout(watched, qtbot, job):
     """*Export…* shows the library, *Show checklist* the list, a failure the log."""

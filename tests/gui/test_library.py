@@ -167,6 +167,7 @@ def test_exports_are_queued_and_can_be_cancelled(qtbot, tmp_path, monkeypatch, n
     assert queue.items == []
 
 
+@pytest.mark.long
 def test_a_cancelled_export_leaves_no_file(recorded, tmp_path):
     from app.jobs.export import export_job
     from app.platform.tasks import Cancelled
@@ -189,6 +190,7 @@ def test_a_cancelled_export_leaves_no_file(recorded, tmp_path):
     assert max(shares) > 0.8
 
 
+@pytest.mark.long
 @pytest.mark.timeout(120)
 def test_a_new_tracking_is_shown_and_compared(replayed, window, qtbot):
     window.run_command("again")
@@ -237,6 +239,7 @@ def test_the_file_being_recorded_is_not_reported_as_damaged(recorded):
     assert not row.recoverable
 
 
+@pytest.mark.long
 def test_obsolete_settings_of_a_recording_are_reported_and_ignored(recorded, tmp_path):
     old = tmp_path / "old.mcap"
     with SessionReader(recorded) as reader:

@@ -88,6 +88,7 @@ def test_a_search_lists_sessions_with_all_its_words(library, qtbot):
     assert shown(library) == set(NAMES)
 
 
+@pytest.mark.long
 def test_a_report_of_the_selected_takes_is_shown(library, window, folder, qtbot):
     select(library, "P01_pinch", "P02_pinch")
     page, browser = folder / "report.html", FileManager()

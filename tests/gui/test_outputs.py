@@ -119,6 +119,7 @@ APART = pytest.mark.parametrize("apart", [False, True], ids=["together", "apart"
 """Streams in the window's process, and in their own as the program has them."""
 
 
+@pytest.mark.long
 @APART
 def test_a_stream_is_switched_on_received_counted_and_off(panel, window, listener, qtbot, apart):
     window.outputs.apart = apart
@@ -235,6 +236,7 @@ def test_invalid_stored_settings_are_replaced_by_the_default():
     assert remembered(HapticRule, {"center": [1, 2.5, 3]}).center == (1.0, 2.5, 3.0)
 
 
+@pytest.mark.long
 @APART
 def test_the_test_button_shows_whether_a_program_receives(panel, window, listener, qtbot, apart):
     """For UDP only a rejection is known; for a server the number of clients."""

@@ -59,6 +59,7 @@ def overlay(window) -> Countdown:
     return next(c for c in window.findChildren(Countdown) if c._key is window.pose_reset)
 
 
+@pytest.mark.long
 def test_the_key_counts_down_and_resets_both_hands(both, qtbot, resets):
     qtbot.keyClick(both, Qt.Key.Key_R)
     assert overlay(both).isVisible() and resets == []
@@ -135,6 +136,7 @@ class Tapped(ScriptedEngine):
         return self.packets
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("on", "taps", "counts"),
     [(True, (1.0, 1.2), True), (True, (1.0,), False), (False, (1.0, 1.2), False)],
@@ -153,6 +155,7 @@ def test_a_double_tap_starts_it_if_enabled(window, qtbot, store, resets, on, tap
     assert resets == (["right"] if counts else []), "and only once"
 
 
+@pytest.mark.long
 @pytest.mark.timeout(600)
 def test_a_reset_of_the_demo_without_a_camera_is_recorded_and_tracked_again(
     window, qtbot, tmp_path

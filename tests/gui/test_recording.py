@@ -369,6 +369,7 @@ def test_a_replay_offers_no_recording_and_no_countdown(window, engine, store):
     assert window.record_key.left == 0
 
 
+@pytest.mark.long
 @pytest.mark.styled
 def test_messages_leave_the_record_button_visible(live, qtbot):
     live.show_panel("recording")

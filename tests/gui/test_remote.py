@@ -317,6 +317,7 @@ sys.exit(main(["devices"]))
 """
 
 
+@pytest.mark.long
 @pytest.mark.timeout(180)
 def test_the_command_controls_the_window_of_another_process(tmp_path, monkeypatch, capsys):
     """Start, note, stop as a lab's script does; the window is a process of its own."""

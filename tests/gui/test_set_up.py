@@ -122,6 +122,7 @@ def test_a_board_becomes_a_calibration_that_is_checked_and_saved(wizard, qtbot, 
     qtbot.waitUntil(lambda: source.closed)
 
 
+@pytest.mark.long
 def test_one_camera_becomes_a_calibration_too(wizard, qtbot, window):
     source = StillBoard(alone=True)
     dialog, done = wizard(source), []
@@ -140,6 +141,7 @@ def test_one_camera_becomes_a_calibration_too(wizard, qtbot, window):
     assert rig.one_camera and rig.left.K[0, 0] == pytest.approx(262.0, rel=0.01)
 
 
+@pytest.mark.long
 def test_exchanged_cameras_are_rejected_on_the_result_page(wizard, qtbot):
     source = StillBoard(swapped=True)
     dialog = wizard(source)
@@ -153,6 +155,7 @@ def test_exchanged_cameras_are_rejected_on_the_result_page(wizard, qtbot):
     qtbot.waitUntil(lambda: source.closed)
 
 
+@pytest.mark.long
 def test_a_known_baseline_detects_a_wrong_square_size(wizard, qtbot):
     dialog = wizard(StillBoard())
     dialog.board.baseline_mm.setValue(63.0)

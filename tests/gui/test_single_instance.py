@@ -61,6 +61,7 @@ def session_file(tmp_path):
     return path
 
 
+@pytest.mark.long
 def test_a_second_start_opens_its_file_in_the_first_window(home, session_file, qapp):
     command = [sys.executable, "-c", FIRST]
     with subprocess.Popen(command, env=home, stdout=subprocess.PIPE, text=True) as first:
@@ -81,6 +82,7 @@ def test_a_second_start_opens_its_file_in_the_first_window(home, session_file, q
     assert [p.name for p in logs.glob("*-*.log")] == []  # neither running nor crashed
 
 
+@pytest.mark.long
 def test_a_start_with_a_time_opens_its_file_paused_there(home, session_file, qapp):
     command = [sys.executable, "-c", FIRST, str(session_file), "--at", "0.25"]
     first = subprocess.run(

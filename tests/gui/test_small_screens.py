@@ -16,6 +16,7 @@ pytestmark = pytest.mark.styled
 SIZES = [(800, 500), (960, 540), (1366, 768)]  # the middle one is Full HD at 200 %
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("size", SIZES)
 def test_every_panel_has_its_required_size_or_scrolls(window, qtbot, size):
     window.host.adopt(scripted_setup(ScriptedEngine()))
@@ -78,6 +79,7 @@ def test_tabs_of_panels_show_their_full_names_and_arrows_lead_to_the_rest(window
     assert with_arrows
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("size", [(911, 464), (960, 500), (1280, 672), (1366, 720)])
 @pytest.mark.parametrize("job", ["look", "all"])
 def test_a_replay_shows_a_session_and_its_transport_on_every_screen(window, qtbot, size, job):
@@ -102,6 +104,7 @@ def test_a_replay_shows_a_session_and_its_transport_on_every_screen(window, qtbo
     assert library.transport.timeline.width() >= 120
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("size", [(911, 464), (960, 500), (1280, 672), (1366, 720)])
 @pytest.mark.parametrize("job", ["record", "all"])
 def test_record_is_visible_and_nothing_scrolls_sideways_on_every_screen(window, qtbot, size, job):

@@ -6,6 +6,7 @@ from app.tools import soak
 from tracker.offline.simulate import SimulateOptions, simulate
 
 
+@pytest.mark.long
 def test_opening_and_closing_on_a_session_leaves_nothing(qapp, tmp_path, monkeypatch):
     path = tmp_path / "session.mcap"
     simulate(path, SimulateOptions(duration=1.0, fps=10.0, images=False))

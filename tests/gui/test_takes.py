@@ -161,6 +161,7 @@ def take(tmp_path_factory) -> Path:
     return path
 
 
+@pytest.mark.long
 def test_a_take_is_as_long_as_it_was_recorded_for(take):
     found = session_summary(take)
     assert found["duration_s"] == pytest.approx(LENGTH, abs=0.1)
@@ -428,6 +429,7 @@ def test_a_recording_that_its_disk_cut_off_is_recovered_from_its_message(
     assert is_ok(verify(whole))
 
 
+@pytest.mark.long
 def test_missing_data_are_reported_during_a_recording_which_continues(qtbot, window, engine):
     """Not while the devices have only just been opened: then nothing has come yet."""
     camera = SimpleNamespace(fps=60.0)
@@ -485,6 +487,7 @@ def test_what_is_missing_only_briefly_is_not_reported():
     assert MissingWatch().look(gone) == gone, "from the start it is reported at once"
 
 
+@pytest.mark.long
 def test_a_glove_unplugged_during_a_recording_is_named_until_it_is_back(qtbot, window, engine):
     """Also after another message, and not again once the user has dismissed it."""
     window.host.adopt(scripted_setup(engine))

@@ -99,6 +99,7 @@ def _count_samples(progress, path: Path) -> int:
         return sum(1 for _ in reader.messages((ImuSample,)))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("in_subprocess", [True, False])
 def test_a_job_reports_the_damaged_messages_that_it_skipped(tmp_path, qtbot, in_subprocess):
     simulate(tmp_path / "s.mcap", SimulateOptions(seed=3, duration=1.0, images=False))

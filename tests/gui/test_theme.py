@@ -83,6 +83,7 @@ def test_a_ticked_box_is_a_box_of_the_accent_colour_with_a_tick_in_it(qapp, c):
     assert seen[c.on_accent.lower()] >= 3  # the middle of its strokes
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["light", "dark"])
 def test_icons_have_the_colour_of_the_words_beside_them(window, name):
     window.set_theme(name)
@@ -147,6 +148,7 @@ def test_spaces_and_type_sizes_of_thestyle_sheet_are_those_of_the_scale(c):
     assert sizes and sizes <= set(TYPES)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("c", [LIGHT, DARK], ids=["light", "dark"])
 def test_what_is_written_in_the_3d_view_has_that_contrast_too(live, c):
     live.hand.view.set_background(c.scene)

@@ -24,6 +24,8 @@ from tracker.session.align import read_alignment
 from tracker.session.reader import SessionReader
 from tracker.session.writer import RecorderParams, SessionRecorder
 
+pytestmark = pytest.mark.long
+
 LATER = 0.3  # s that the second part begins after the first
 JOINT = "index_mcp_flexion"
 

@@ -98,6 +98,7 @@ def test_the_demo_has_wearers_of_its_own(window, qtbot, open_hand, store):
     ) == ("Anna", "")
 
 
+@pytest.mark.long
 def test_left_and_right_gloves_used_in_turn_keep_their_wearers(window, qtbot, open_hand):
     row = window.calibration.wearer
     save(window, qtbot, open_hand("right"), "Anna", 1.04)

@@ -59,6 +59,7 @@ def test_repeated_samples_are_ignored_and_a_gap_restarts() -> None:
     assert not tap.feed(5.0, UP - [0.0, 0.0, 30.0], np.zeros(3)), "the first after a gap is no tap"
 
 
+@pytest.mark.long
 def test_a_moving_hand_does_not_tap(hand: HandModel, glove: GloveModel) -> None:
     """Two minutes of free motion."""
     count = 0

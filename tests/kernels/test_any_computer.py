@@ -7,6 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
 from numpy.lib import introspect
 
 ROOT = Path(__file__).parents[2]
@@ -36,6 +37,7 @@ def fingerprints(blas: str, without: str = "") -> list[str]:
     return result.stdout.splitlines()
 
 
+@pytest.mark.long
 def test_kernels_have_the_same_fingerprints_on_other_processors() -> None:
     chosen = introspect.opt_func_info(func_name="^sin$", signature="float64")["sin"]
     best = str(next(iter(chosen.values()))["current"])

@@ -92,6 +92,7 @@ def compiled(tmp_path_factory):
     return made
 
 
+@pytest.mark.long
 def test_each_function_keeps_its_own_options(compiled):
     assert compiled.exact(TINY) == compiled.exact_again(TINY) == 0.0
     assert compiled.fast(TINY) == TINY

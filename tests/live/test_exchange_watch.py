@@ -20,6 +20,7 @@ GLOVES = {"left": "vist-small-left", "right": "vist-small"}
 ENOUGH = 4.2  # s; this pair is recognised after 3.4 s, others after 3.6 to 7.4 s
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("exchanged", [True, False])
 def test_exchanged_gloves_are_reported_once(exchanged: bool) -> None:
     dressed = {side: GlovedHand(*library.load(name, "")) for side, name in GLOVES.items()}

@@ -95,6 +95,7 @@ def sim() -> TwoHandsSimulation:
     return simulated(3, 3.0)
 
 
+@pytest.mark.long
 def test_a_live_recording_of_both_is_tracked_again_bit_for_bit(tmp_path, sim) -> None:
     live, path = Live(sim), tmp_path / "live.mcap"
     for message in sim.messages():
@@ -116,6 +117,7 @@ def test_a_live_recording_of_both_is_tracked_again_bit_for_bit(tmp_path, sim) ->
     assert set(tracked) == {"left", "right"}
 
 
+@pytest.mark.long
 def test_packets_pass_between_the_parts_of_an_image_and_nothing_changes(tmp_path, sim) -> None:
     """The hand that sends first gets its packets before the other hand's part of an image; tracked
     again, with both parts before them, the estimates are the same bit for bit."""

@@ -18,6 +18,8 @@ from tracker.offline.track import track
 from tracker.session.verify import is_ok, verify
 from tracker.simulation.two_hands import SidedMessage, TwoHandsSimulation
 
+pytestmark = pytest.mark.long
+
 RECORDED_FROM = 1.0  # s; names are searched for from 1.5 s on
 WRONG = 0.05  # m, of what is reported as measured
 

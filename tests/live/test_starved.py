@@ -36,6 +36,8 @@ from tracker.simulation.scenario import Simulation
 from tracker.vision.colours import load_profile
 from tracker.vision.detector import Detector
 
+pytestmark = pytest.mark.long
+
 TIMEOUT = 120.0  # s of real time for one step of a thread
 DURATION, STARVED, CALM = 11.5, (2.0, 6.0), 6.0  # s: starved between the two
 STALL = (3.5, 4.7)  # s in which no thread runs at all

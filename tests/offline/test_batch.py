@@ -40,6 +40,7 @@ def names(jobs: list[BatchJob], out: Path) -> list[str]:
     return [j.out.relative_to(out).as_posix() for j in jobs]
 
 
+@pytest.mark.long
 def test_one_file_is_written_to_a_file_or_into_a_folder(folder: Path, tmp_path: Path) -> None:
     assert plan([folder / "a.mcap"], tmp_path / "x.mcap")[0].out == tmp_path / "x.mcap"
     assert plan([folder / "a.mcap"], tmp_path)[0].out == tmp_path / "a.mcap"
@@ -69,6 +70,7 @@ def test_impossible_arguments_are_rejected(folder: Path, tmp_path: Path) -> None
         plan([folder], folder / "a.mcap")
 
 
+@pytest.mark.long
 def test_parallel_processes_give_identical_results(
     folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -115,6 +117,7 @@ def test_a_worker_that_dies_is_reported() -> None:
     assert outcome.error is not None and outcome.error.code == "workers.ended"
 
 
+@pytest.mark.long
 def test_a_cluster_gives_identical_results(
     folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
@@ -141,6 +144,7 @@ def test_an_unreachable_cluster_is_reported(monkeypatch: pytest.MonkeyPatch) -> 
         pass
 
 
+@pytest.mark.long
 def test_a_folder_is_verified_with_one_command(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

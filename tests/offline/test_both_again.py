@@ -20,6 +20,8 @@ from tracker.offline.track_report import TrackReport
 from tracker.session.reader import SessionReader
 from tracker.session.verify import is_ok, verify
 
+pytestmark = pytest.mark.long
+
 SIDES = ("left", "right")
 
 

@@ -13,6 +13,8 @@ from tracker.offline.simulate import SimulateOptions, build, simulate
 from tracker.offline.track import track
 from tracker.session.reader import SessionReader
 
+pytestmark = pytest.mark.long
+
 OPTIONS = SimulateOptions(seed=4, duration=2.5, fps=20.0, images=False, camera="head-imu")
 
 

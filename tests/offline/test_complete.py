@@ -14,6 +14,8 @@ from tracker.offline.track import track
 from tracker.session.compare import compare
 from tracker.session.reader import SessionReader
 
+pytestmark = pytest.mark.long
+
 
 @pytest.fixture(scope="module", params=["head", "head-imu"])
 def head(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:

@@ -17,6 +17,8 @@ from tracker.session.overview import session_summary
 from tracker.session.reader import SessionReader
 from tracker.session.verify import is_ok, verify
 
+pytestmark = pytest.mark.long
+
 SECONDS, START, STOP = 4.0, 1.5, 3.2
 
 

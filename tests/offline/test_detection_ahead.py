@@ -30,6 +30,7 @@ def same(a: Blobs | None, b: Blobs | None) -> bool:
     return np.array_equal(a.uv, b.uv) and np.array_equal(a.hue, b.hue)
 
 
+@pytest.mark.long
 def test_the_number_of_threads_has_no_effect(session: Path) -> None:
     with SessionReader(session) as reader:
         detector = make_detector(profile_of(reader.info), reader.info)

@@ -32,6 +32,8 @@ from tracker.session.motion import measures, read_take
 from tracker.session.reader import SessionReader
 from tracker.session.verify import is_ok, verify
 
+pytestmark = pytest.mark.long
+
 CUTS = ((2.0, 2.17), (3.0, 3.32), (4.0, 4.12))  # s without estimates
 SIGNED = Signature("Ada", "2026-01-02T03:04:05+00:00")
 

@@ -25,6 +25,8 @@ from tracker.session.writer import SessionRecorder
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 
+pytestmark = pytest.mark.long
+
 SEED, SECONDS = 802, 36.0
 MOVED = (26, 27, 29)  # on the middle finger
 SHIFT = 0.004  # m

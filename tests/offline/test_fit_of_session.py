@@ -36,6 +36,8 @@ from tracker.vision.colours import (
 from tracker.vision.lenses import with_one_camera
 from tracker.vision.rig import ideal_rig
 
+pytestmark = pytest.mark.long
+
 SCENES = folder()
 needs_data = pytest.mark.skipif(SCENES is None, reason="needs the photographs of a desk")
 FACTORY = parse_profile(library.text("colours", library.DEFAULT_COLOURS))

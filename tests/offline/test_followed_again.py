@@ -15,6 +15,8 @@ from tracker.offline.track_report import TrackReport
 from tracker.session.reader import SessionReader
 from tracker.simulation.render import Image, Renderer
 
+pytestmark = pytest.mark.long
+
 WARM = np.array([0.45, 1.0, 1.3])  # of blue, green and red, in the end
 BEGIN, END = 0.7, 1.4  # s, start and end of the lamp's change
 

@@ -150,6 +150,7 @@ def test_a_time_of_another_clock_affects_only_its_sample(tmp_path: Path) -> None
     assert raw(tmp_path / "out.mcap").stamp_ns[[0, -1]].tolist() == [began, began + 390_000_000]
 
 
+@pytest.mark.long
 def test_huge_and_endless_files_need_little_memory(tmp_path: Path) -> None:
     """Zeros without a line end, a device in place of a file, and a file that swells."""
     for name in ("huge.csv", "huge.mat"):
@@ -220,6 +221,7 @@ def data() -> Path:
     return folder
 
 
+@pytest.mark.long
 def test_a_recording_of_a_real_imu_agrees_with_its_cameras(data: Path, tmp_path: Path) -> None:
     """BROAD's 286 Hz, averaged to 100: inclination within 2° of the optical reference."""
     whole = loadmat(data / "broad_imu" / "02_undisturbed_slow_rotation_B.mat", squeeze_me=True)

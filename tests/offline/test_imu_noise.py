@@ -93,6 +93,7 @@ def session(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
+@pytest.mark.long
 def test_the_command_writes_figures_curves_and_a_glove_file(
     session: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -89,6 +89,7 @@ def test_without_rests_the_prior_stays() -> None:
     assert len(rests.rest) == 0 and fit_drift([rests]) is None
 
 
+@pytest.mark.long
 def test_axes_are_written_into_the_glove_file(
     hand: HandModel, glove_file: Path, tmp_path: Path
 ) -> None:

@@ -17,6 +17,8 @@ from tracker.session.mcap.container import Copier, McapOutput
 from tracker.session.mcap.ordering import ordered
 from tracker.session.reader import SessionReader
 
+pytestmark = pytest.mark.long
+
 LATE = 3_000_000_000  # ns
 DESCRIBED = ("camera_info", "/tf_static", "extrinsics", "robot_description")
 

@@ -3,6 +3,8 @@
 import argparse
 import json
 
+import pytest
+
 from tests.notices import raises, shows
 from tracker.base.errors import FileError
 from tracker.cli import build_parser
@@ -14,6 +16,7 @@ def light(*words: str) -> argparse.Namespace:
     return build_parser(line).parse_args(line)
 
 
+@pytest.mark.long
 def test_a_dim_room_is_reported(tmp_path, capsys):
     path = tmp_path / "dim.mcap"
     simulate(path, SimulateOptions(scene="desk", light="dim", seed=2, duration=1.5, fps=5))

@@ -50,6 +50,7 @@ def test_tracks_a_simulated_session(session: Path, tmp_path: Path) -> None:
         assert len(reader.metadata["source_sha256"]) == 64
 
 
+@pytest.mark.long
 def test_tracking_twice_gives_the_same_bits(session: Path, tmp_path: Path) -> None:
     track(session, tmp_path / "a.mcap", TrackOptions(with_sensors=True))
     track(tmp_path / "a.mcap", tmp_path / "b.mcap")
@@ -60,6 +61,7 @@ def test_tracking_twice_gives_the_same_bits(session: Path, tmp_path: Path) -> No
         assert np.array_equal(x.angles, y.angles, equal_nan=True)
 
 
+@pytest.mark.long
 def test_another_engine_by_command_line(
     session: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -69,6 +71,7 @@ def test_another_engine_by_command_line(
     assert report["error_mm"]["dorsum"] < 5 and report["frames"] > 170
 
 
+@pytest.mark.long
 def test_images_are_searched_if_there_are_no_blobs(tmp_path: Path) -> None:
     path = tmp_path / "images.mcap"
     simulate(path, SimulateOptions(seed=2, duration=2.0, fps=15))

@@ -87,6 +87,7 @@ def test_a_tracked_hand_is_not_changed(hand: HandModel, glove: GloveModel) -> No
     assert look(own, 3 * IMAGES, Tracking.TRACKING) == []
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("hands", "smooth"), [("right", True), ("both", False)])
 def test_colours_are_fitted_for_smoothing_and_for_both_hands(
     hands: str, smooth: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -65,6 +65,7 @@ def session(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
     return path
 
 
+@pytest.mark.long
 def test_repeated_packets_change_no_estimate(session: Path, tmp_path: Path) -> None:
     """Each message twice for one hand; for both hands, each packet."""
     with SessionReader(session) as reader:

@@ -58,6 +58,7 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
+@pytest.mark.long
 def test_the_same_bits_from_the_first_packet_on(recorded: Path, tmp_path: Path) -> None:
     track(recorded, tmp_path / "a.mcap", TrackOptions(with_sensors=True))
     found = compare(recorded, tmp_path / "a.mcap")
@@ -110,6 +111,7 @@ def moved(info: SessionInfo, by: float) -> StereoRig:
     return replace(info.rig, pose=CameraPose(pose.R_GC, pose.p_GC + [by, 0, 0]))
 
 
+@pytest.mark.long
 def test_a_camera_that_is_moved_while_recording(tmp_path: Path) -> None:
     """It is calibrated again halfway, 5 cm to the side: only the rig shows that."""
     sim, info = build(SimulateOptions(seed=3, duration=4.0, fps=30, images=False))

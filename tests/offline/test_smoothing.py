@@ -86,6 +86,7 @@ def smoothed(info: SessionInfo, messages: Messages) -> list[Estimate]:
     return [e for _, e in found if e is not None]
 
 
+@pytest.mark.long
 def test_the_block_size_has_no_effect(
     simulated: tuple[Simulation, SessionInfo, Messages], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -110,6 +111,7 @@ def live(info: SessionInfo, messages: Messages) -> list[Estimate]:
     return out
 
 
+@pytest.mark.long
 def test_it_is_more_accurate_than_live_and_continuous(
     simulated: tuple[Simulation, SessionInfo, Messages],
 ) -> None:

@@ -21,6 +21,8 @@ from tracker.session.reader import SessionReader
 from tracker.session.ros import topics
 from tracker.session.writer import RecorderParams, SessionRecorder
 
+pytestmark = pytest.mark.long
+
 STALL, DURATION = 0.5, 6.0  # s
 
 

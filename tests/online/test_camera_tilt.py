@@ -56,6 +56,7 @@ def test_the_simulated_imu_measures_the_heads_motion():
     np.testing.assert_allclose(still.accel, tilted(0.0).R_GC.T @ UP * GRAVITY, atol=1e-9)
 
 
+@pytest.mark.long
 def test_tilt_follows_the_head_within_a_degree():
     """The pose in the file is 20° off; 10 mg of bias alone are 0.6°."""
     head, samples = swaying(CameraImuParams())

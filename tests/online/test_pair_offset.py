@@ -114,6 +114,7 @@ def mean_error(sim: Simulation, in_step: bool) -> tuple[Pipeline, float]:
     return pipeline, float(np.mean(errors))
 
 
+@pytest.mark.long
 def test_two_free_running_cameras_track_nearly_as_well_as_synchronised_ones(
     hand: HandModel, glove: GloveModel
 ) -> None:

@@ -119,6 +119,7 @@ def run(sim: Simulation, left: Shift, right: Shift) -> Iterator[RigWatch]:
     yield watch
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("left", "right", "code"),
     [
@@ -285,6 +286,7 @@ def overloaded(sim: Simulation, seed: int) -> list[ImuSample | BlobFrame]:
     return sorted(out, key=lambda m: (m.t_arrival, isinstance(m, BlobFrame)))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seed", range(4))
 def test_an_overloaded_computer_is_not_a_moved_camera(hand, glove, seed: int) -> None:
     sim = Simulation(hand, glove, RandomPostures(hand, seed, duration=12.0), seed, fps=30)

@@ -150,6 +150,7 @@ def test_significant_offsets_are_compensated_step_by_step(recording) -> None:
     assert off.corrected(frame) is frame
 
 
+@pytest.mark.long
 def test_the_pipeline_corrects_its_camera(hand: HandModel, glove: GloveModel) -> None:
     sim = simulation(hand, glove, 1, 12.0)
     pipeline = Pipeline(hand, glove, sim.rig, Settings())

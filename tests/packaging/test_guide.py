@@ -165,6 +165,7 @@ def _write_firmware(line: str, monkeypatch: pytest.MonkeyPatch) -> None:
         board.close()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("page", [p for p in PAGES if commands(p)], ids=lambda p: p.stem)
 def test_every_command_of_a_page_runs(page: Path, ran: Callable[[str], None]) -> None:
     lines = [line for line in commands(page) if line not in ELSEWHERE]
@@ -235,6 +236,7 @@ def own_home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
+@pytest.mark.long
 def test_the_commands_that_open_a_window_or_talk_to_it(
     own_home: Path, sessions: Sessions, qapp: object, capsys: pytest.CaptureFixture[str]
 ) -> None:

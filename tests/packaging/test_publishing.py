@@ -14,6 +14,8 @@ import pytest
 
 from tests.packaging.local_index import add_requirements, build, served, user_environment
 
+pytestmark = pytest.mark.long
+
 ROOT = Path(__file__).parents[2]
 
 

@@ -28,6 +28,7 @@ print(*(m.__file__ for m in sys.modules.values() if getattr(m, "__file__", None)
 """
 
 
+@pytest.mark.long
 @pytest.mark.skipif(sys.platform != "linux", reason="asks Linux what a process has loaded")
 def test_nothing_that_the_window_loads_is_removed() -> None:
     result = subprocess.run(

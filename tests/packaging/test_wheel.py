@@ -182,6 +182,7 @@ def spelled(path: Path) -> list[str]:
     ]
 
 
+@pytest.mark.long
 def test_no_module_is_named_in_a_string() -> None:
     """In a wheel it has another name: for half a day no installed program could export."""
     folders = ("app", "extensions", "glovetrack", "tracker", "resources")

@@ -7,6 +7,8 @@ import pytest
 from extensions.evaluation.faults.drill import FAULTS, DrillParams, DrillReport, drill
 from tracker.cli import main
 
+pytestmark = pytest.mark.long
+
 QUICK = DrillParams(fps=15.0, shortest=0.1, longest=0.7, rest_longest=0.3)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from tracker import GRAVITY
 from tracker.messages import ImuSample
@@ -107,6 +108,7 @@ class Line:
         self.stalled = self.silent = self.lose = self.corrupt = False
 
 
+@pytest.mark.long
 def test_a_thousand_faults() -> None:
     line, rng = Line(1), np.random.default_rng(2)
     link = GloveLink(line.open, N, clock=lambda: line.t)

@@ -78,7 +78,8 @@ def test_samples_arrive_with_correct_units_and_times(bench: Bench) -> None:
     true = np.array([(s.t_device - 4.0) / (1 + 60e-6) for s in bench.samples[50:]]) + bench.t_0
     lateness = np.array([s.t for s in bench.samples[50:]]) - true
     assert np.median(lateness) < 0.02 and np.ptp(lateness) < 0.02
-    assert np.all(np.diff([s.t for s in bench.samples]) > 0)
+    # never earlier; equal where a busy computer reads the first two packets at once
+    assert np.all(np.diff([s.t for s in bench.samples]) >= 0)
 
 
 def test_lost_and_damaged_packets_are_counted_and_never_used(bench: Bench) -> None:

@@ -26,6 +26,7 @@ from tracker.sensors.protocol import (
 from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("said_hz", [50, 100])
 @pytest.mark.parametrize("rate_hz", [50.0, 120.0, 200.0])
 def test_an_ignored_rate_is_reported_once_and_times_are_correct(

@@ -20,6 +20,8 @@ from tracker.session.compare import compare
 from tracker.session.reader import SessionReader
 from tracker.session.writer import SessionRecorder
 
+pytestmark = pytest.mark.long
+
 LATE = 1.37  # s from the start of the first to that of the second
 CLOCK = 4.219  # s by which the second's clock is ahead
 

@@ -23,6 +23,8 @@ from tracker.session.compare import compare, truth_error_mm
 from tracker.session.reader import SessionReader
 from tracker.session.verify import is_ok, verify
 
+pytestmark = pytest.mark.long
+
 OPTIONS = BOTH
 
 

@@ -24,6 +24,8 @@ from tracker.session.reader import SessionReader
 from tracker.session.ros import sensors
 from tracker.session.verify import is_ok, verify
 
+pytestmark = pytest.mark.long
+
 RIGHT = "/camera/right/image/compressed"
 
 

@@ -70,6 +70,7 @@ def work(monkeypatch) -> dict[str, int]:
     return done
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("content", "count"),
     [
@@ -271,6 +272,7 @@ def test_a_damaged_attachment_does_not_affect_others(session: Path, session_info
     assert any("attachment" in str(d.what) for d in saved.damage)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("summed", "ms", "bits"),
     [(True, 200, 100), (False, 1500, 50)],

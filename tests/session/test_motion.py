@@ -30,6 +30,8 @@ from tracker.session.motion import (
 )
 from tracker.session.reader import SessionReader
 
+pytestmark = pytest.mark.long
+
 RATE, SECONDS, SWING, TURN = 100.0, 4.0, 0.5, 2.0  # Hz, s, rad, rad/s of the swing's phase
 
 

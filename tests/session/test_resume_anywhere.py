@@ -36,6 +36,8 @@ from tracker.session.state_check import require_match
 from tracker.simulation.scenario import Simulation
 from tracker.vision.rig import StereoRig
 
+pytestmark = pytest.mark.long
+
 DURATION, FPS = 2.0, 20.0
 GOES_ON = 60  # messages after the cut
 SEEN_AS = 0.009  # m: radius of the cloth that is drawn around each keypoint

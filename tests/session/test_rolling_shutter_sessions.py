@@ -27,6 +27,8 @@ from tracker.session.verify import is_ok, verify
 from tracker.session.writer import SessionRecorder
 from tracker.vision.rig import StereoRig, ideal_rig
 
+pytestmark = pytest.mark.long
+
 OPTIONS = SimulateOptions(seed=6, duration=3.0, fps=30, images=False, readout=0.018)
 
 

@@ -42,6 +42,7 @@ def cost(reader: SessionReader, read: list[int], share: float) -> int:
     return sum(read)
 
 
+@pytest.mark.long
 def test_a_seek_reads_no_more_in_a_longer_session(
     tmp_path: Path, record: Callable[..., Path], maker, count_bytes: list[int]
 ) -> None:

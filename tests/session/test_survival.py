@@ -59,6 +59,7 @@ def test_recovered_messages_are_those_of_the_file(session: Path) -> None:
         assert np.array_equal(a.accel, b.accel, equal_nan=True)
 
 
+@pytest.mark.long
 def test_every_truncated_file_is_read_or_rejected(session: Path) -> None:
     data = session.read_bytes()
     cut = session.with_name("cut.mcap")
@@ -71,6 +72,7 @@ def test_every_truncated_file_is_read_or_rejected(session: Path) -> None:
         assert not is_ok(verdict)
 
 
+@pytest.mark.long
 def test_flipped_bits_are_reported(session: Path) -> None:
     data, rng = session.read_bytes(), np.random.default_rng(8)
     bad = session.with_name("bad.mcap")
@@ -352,6 +354,7 @@ def test_chunks_are_limited_in_time_with_late_packets(tmp_path: Path, session_in
     assert is_ok(verify(path))
 
 
+@pytest.mark.long
 def test_damaged_messages_in_intact_chunks_affect_no_others(session: Path, maker) -> None:
     """Checksums are correct here, so the damage reaches the decoders."""
     rng = np.random.default_rng(12)

@@ -15,6 +15,8 @@ from tracker.session.mcap.ordering import ordered
 from tracker.session.ros import sensors
 from tracker.session.verify import is_ok, verify
 
+pytestmark = pytest.mark.long
+
 PACKETS, MS = 600, 1_000_000
 Change = Callable[[int, RawMessage], RawMessage | None]
 

@@ -20,6 +20,7 @@ ROOT = Path(__file__).resolve().parents[2]
 LIMIT = 20_000  # bytes; every export of the session below is larger, but for the URDF
 PICTURES = {"mp4", "png"}
 RAW = {"imu.csv", "imu.parquet"}  # of samples, not of estimates
+OF_ESTIMATES = [f for f in FORMATS.names() if f not in {"urdf", *PICTURES, *RAW}]
 
 
 @pytest.fixture
@@ -61,7 +62,9 @@ def others(folder: Path) -> list[str]:
     return sorted(p.name for p in folder.iterdir() if p.name != "in.mcap")
 
 
-@pytest.mark.parametrize("form", [f for f in FORMATS.names() if f not in {"urdf", *PICTURES, *RAW}])
+@pytest.mark.parametrize(
+    "form", ["csv", *(pytest.param(f, marks=pytest.mark.long) for f in OF_ESTIMATES if f != "csv")]
+)
 def test_a_full_disk_leaves_nothing(tracked: Path, form: str) -> None:
     out = tracked.with_name(f"o.{form}")
     done = command("export", tracked, "--format", form, "-o", out, limit=LIMIT)
@@ -72,6 +75,7 @@ def test_a_full_disk_leaves_nothing(tracked: Path, form: str) -> None:
     assert main(["export", str(tracked), "--format", form, "-o", str(out)]) == 0
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("form", sorted(PICTURES))
 def test_a_full_disk_for_images_leaves_nothing(filmed: Path, form: str) -> None:
     out = filmed.with_name(f"o.{form}")
@@ -120,7 +124,13 @@ def test_nor_does_the_trajectory_of_a_missing_urdf(tracked: Path) -> None:
     assert tracked.with_name("o.joints.csv").exists()
 
 
-@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT, signal.SIGKILL])
+@pytest.mark.parametrize(
+    "number",
+    [
+        *(pytest.param(n, marks=pytest.mark.long) for n in (signal.SIGTERM, signal.SIGINT)),
+        signal.SIGKILL,
+    ],
+)
 def test_a_signal_leaves_nothing_that_blocks(tmp_path: Path, number: signal.Signals) -> None:
     out = tmp_path / "o.mcap"
     words = ["simulate", "-o", str(out), "--blobs-only", "--duration"]

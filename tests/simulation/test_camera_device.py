@@ -20,6 +20,7 @@ SPEC = DemoSpec(
 )
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("drawn", [0, 4], ids=["drawn in time", "drawn before"])
 def test_images_arrive_on_time_and_are_those_of_the_simulation(drawn: int) -> None:
     camera = SimulatedCamera(SPEC, drawn=drawn)

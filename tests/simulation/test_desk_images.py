@@ -28,6 +28,8 @@ from tracker.simulation.solids import capsules
 from tracker.simulation.wearer import Wearer
 from tracker.vision.rig import ideal_rig
 
+pytestmark = pytest.mark.long
+
 THIRD = 1 / 3
 SEEDS, TIMES = (1, 2, 3), np.arange(1.0, 20.0, 3.1)
 

@@ -46,6 +46,7 @@ def received(link: GloveLink, until: Callable[[list[ImuSample | Event]], bool]) 
     return found
 
 
+@pytest.mark.long
 def test_packets_have_the_wearers_motion_and_the_cable_is_unplugged_at_the_end(
     worn: GloveProcess,
 ) -> None:

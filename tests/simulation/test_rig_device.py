@@ -134,6 +134,7 @@ def test_electrical_faults_are_started_by_commands(both: SimulatedRig) -> None:
     )
 
 
+@pytest.mark.long
 def test_a_board_is_shown_and_removed_by_commands(both: SimulatedRig) -> None:
     assert both.execute("board\n") == "The board is before the camera."
     assert both.execute("hand") == "The hand is before the camera."
@@ -152,6 +153,7 @@ def test_a_held_board_is_still_and_then_moves() -> None:
     assert np.abs(first[0].astype(float) - later[0]).mean() > 10
 
 
+@pytest.mark.long
 def test_the_smaller_right_camera_matches_its_images(tmp_path: Path) -> None:
     """Corners found in its images are where its calibration projects those of the whole image."""
     rig = ideal_rig()

@@ -14,6 +14,8 @@ from tracker.simulation.guided import HELD_BADLY, GuidedPoses, HoldParams
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.wearer import Wearer
 
+pytestmark = pytest.mark.long
+
 PEOPLE = range(3)
 
 

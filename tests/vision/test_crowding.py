@@ -65,6 +65,7 @@ def session(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
+@pytest.mark.long
 def test_900_blobs_in_one_place_are_processed_faster_than_real_time(session: Path) -> None:
     with SessionReader(session) as reader:
         info = reader.info

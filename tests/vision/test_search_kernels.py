@@ -91,6 +91,7 @@ def test_threads_and_specks_are_ignored() -> None:
     assert len(found(classes, np.array([[0, 89, 0, 59, 1]]))) == 1
 
 
+@pytest.mark.long
 def test_all_colours_of_a_vivid_hue_are_vivid() -> None:
     """So that testing only vivid pixels misses none."""
     pale = HueRange("pale", (0, 179), (VIVID_SATURATION, 255), (1, 255))

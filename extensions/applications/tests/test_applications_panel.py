@@ -91,6 +91,7 @@ def painted(panel) -> np.ndarray:
     return np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1)[:, ::4].copy()
 
 
+@pytest.mark.long
 def test_the_chosen_application_is_drawn_and_its_events_are_reported(staged, qtbot):
     panel, stage, engine, reported = staged
     show(panel, stage, engine)
@@ -178,6 +179,7 @@ def test_the_instruction_follows_a_touch_and_its_result_has_units(staged, qtbot)
     assert not panel.instruction.isVisible()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", OURS)
 def test_a_show_describes_what_the_simulated_wearer_does(name):
     """Run on the show that each application has, with the true hand."""

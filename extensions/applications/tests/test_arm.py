@@ -47,6 +47,7 @@ def block_of(outcome) -> np.ndarray:
     return block.p - FOOT
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("commands", ["joints", "pose"])
 def test_a_hand_picks_up_the_block(commands: str) -> None:
     found = outcomes("arm", PICK, commands=commands, **SETTINGS)

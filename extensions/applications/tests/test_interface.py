@@ -132,6 +132,7 @@ def test_settings_are_checked_and_a_change_is_an_event(installed: None) -> None:
     assert runner.settings.width == 7.0
 
 
+@pytest.mark.long
 def test_a_session_contains_everything_to_repeat_a_run(installed: None, tmp_path: Path) -> None:
     """Tracked from simulated sensors, recorded, read back: the same events to the last bit."""
     options = SimulateOptions(seed=3, motion="show:swarm", duration=6.4, images=False, fps=20.0)
@@ -237,6 +238,7 @@ def test_a_stream_read_back_is_the_hand_that_was_sent() -> None:
         from_json("{}", hand_names, 1)
 
 
+@pytest.mark.long
 def test_settings_that_are_rows_of_numbers_are_the_same_again(tmp_path: Path) -> None:
     options = SimulateOptions(motion="show:touch", duration=3.0, images=False, fps=20.0)
     out, place = tmp_path / "touched.mcap", {"place": [0.25, 0.0, 0.06]}

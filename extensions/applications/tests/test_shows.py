@@ -17,6 +17,7 @@ REPORTED = {
 }
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", SHOWS)
 def test_a_show_completes_its_application(name: str) -> None:
     reported = words(outcomes(name, show_keys(f"show:{name}")))
@@ -42,6 +43,7 @@ def test_a_show_expects_its_application_at_its_default_position(
     assert datas(found, "placed")[0]["at"] == pytest.approx(settings["place"], abs=0.01)
 
 
+@pytest.mark.long
 def test_each_label_of_the_place_is_pointed_at_and_opened() -> None:
     reported = outcomes("place", show_keys("place"), **shown_application("show:place")[1])
     assert [e["label"] for e in datas(reported, "choose")] == [

@@ -132,6 +132,7 @@ def swept_wall() -> list[Key]:
     ]
 
 
+@pytest.mark.long
 def test_a_swept_palm_leaves_a_wall_that_no_drone_crosses() -> None:
     runner = ApplicationRunner("swarm", HAND, GLOVE, SWARM)
     swarm = runner.application

@@ -33,6 +33,7 @@ BEGIN = 3.0  # s of free motion before the script
 FPS = 15.0  # as the tests of the demo
 
 
+@pytest.mark.long
 @pytest.mark.timeout(300)
 def test_a_wearer_who_is_asked_for_each_gesture_keeps_every_rule(tmp_path: Path) -> None:
     _, info = build(SimulateOptions(seed=1, images=False))

@@ -149,6 +149,7 @@ class Browser(QObject):
         self.urls.append(url)
 
 
+@pytest.mark.long
 def test_a_wearer_who_follows_the_cues_keeps_every_rule(dialog, clock, engine, tmp_path, qtbot):
     qtbot.mouseClick(dialog.lead.start, Qt.MouseButton.LeftButton)
     through(dialog, clock, engine)
@@ -169,6 +170,7 @@ def test_a_wearer_who_follows_the_cues_keeps_every_rule(dialog, clock, engine, t
     assert page.parent == take.parent and "All rules passed." in page.read_text("utf-8")
 
 
+@pytest.mark.long
 def test_a_hand_that_stays_open_fails_in_the_steps_that_it_did_not_show(
     dialog, clock, engine, qtbot, monkeypatch
 ):

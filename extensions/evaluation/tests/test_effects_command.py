@@ -29,6 +29,7 @@ def replace_row(row: EffectsRow, **changes: float) -> EffectsRow:
     return row._replace(**changes)
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("workers_here")
 def test_the_short_form(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """5 s are too short for the goal."""

@@ -39,6 +39,7 @@ def test_rows_separate_the_states_and_pool_the_sessions() -> None:
     assert [line.split()[1] for line in table([row, other])[1:]] == ["with", "without"]
 
 
+@pytest.mark.long
 def test_sessions_without_cloth_are_tracked_the_same_both_times_and_with_silhouettes(
     tmp_path: Path,
 ) -> None:

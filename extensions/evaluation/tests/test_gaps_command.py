@@ -22,6 +22,7 @@ def test_a_row_pools_the_people() -> None:
     assert not summary([row_of(1.0, False, [good._replace(wrong=1)])])["ok"]
 
 
+@pytest.mark.long
 def test_a_hand_is_out_of_view_and_returns(tmp_path: Path) -> None:
     out = tmp_path / "rows.json"
     words = ["--gaps", "0.3", "--participants", "1", "--fps", "15", "--devices", "real"]

@@ -32,6 +32,7 @@ def test_goals_are_met_by_good_pairs_and_missed_by_one_that_is_pulled() -> None:
     assert len(table([GOOD, PULLED], found)) == 4
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("workers_here")
 def test_a_pair_is_tracked_by_the_command(tmp_path: Path) -> None:
     said = tmp_path / "said.json"

@@ -47,6 +47,7 @@ def with_a_pose() -> float:
     return mean_error_mm("pose")
 
 
+@pytest.mark.long
 def test_the_cameras_own_imu_serves_nearly_as_well_as_a_pose(with_a_pose):
     assert with_a_pose < 8.0
     assert mean_error_mm("imu") < with_a_pose + 1.0

@@ -164,6 +164,7 @@ def test_inclination_on_an_undisturbed_recording_is_as_good_as_vqfs() -> None:
     assert by["segments"] < 1.0
 
 
+@pytest.mark.long
 def test_the_command_writes_the_files_of_the_contract(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -15,6 +15,7 @@ from tests.notices import shows
 from tracker.cli import main
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("side", "seed"), [("right", 1), ("right", 4), ("left", 2)])
 def test_a_cube_is_lifted_and_put_down_in_its_place(side: str, seed: int) -> None:
     teleop = Teleop(RobotSettings(side=side), shadow(side))
@@ -23,6 +24,7 @@ def test_a_cube_is_lifted_and_put_down_in_its_place(side: str, seed: int) -> Non
     assert trial.lifted_mm > 100
 
 
+@pytest.mark.long
 def test_a_hand_that_stays_open_places_nothing() -> None:
     """The trial can fail: if the fingers cannot move, the cube remains in its place."""
     teleop = Teleop(RobotSettings(joint_speed=1e-3), shadow())

@@ -35,6 +35,7 @@ def test_the_goal_is_for_the_worst_row() -> None:
     assert summary([good, bad])["ratio"] == pytest.approx(1.1)
 
 
+@pytest.mark.long
 def test_a_known_line_time_removes_most_of_the_error_of_a_fast_hand() -> None:
     """One person at 2 m/s, long enough to be found: without the line time several millimetres."""
     at_once, unknown, known = (
@@ -46,6 +47,7 @@ def test_a_known_line_time_removes_most_of_the_error_of_a_fast_hand() -> None:
     assert known.error_mm < at_once.error_mm + 0.3 * (unknown.error_mm - at_once.error_mm)
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("workers_here")
 def test_a_short_run_of_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = tmp_path / "rows.json"

@@ -48,6 +48,7 @@ def test_lost_points_do_not_count(whole: WholeHandErrors) -> None:
     assert agreement([trial([[1.0]])]) == [] and len(lines_of([trial([[1.0]])])) == 1
 
 
+@pytest.mark.long
 @pytest.mark.timeout(300)
 def test_fingertips_are_as_uncertain_as_stated() -> None:
     """A participant whose end joints bend independently; a few seconds contain few independent

@@ -45,6 +45,7 @@ def parse(*words: str) -> argparse.Namespace:
     return build_parser(line).parse_args(line)
 
 
+@pytest.mark.long
 def test_a_small_run_writes_rows_figures_and_a_page(tmp_path, capsys):
     target, out = tmp_path / "rows.json", tmp_path / "report"
     args = parse(
@@ -231,6 +232,7 @@ def test_a_usage_error_exits_with_two(words):
     assert stop.value.code == 2
 
 
+@pytest.mark.long
 def test_a_trial_is_the_same_whoever_runs_it():
     case = Case("device", "vist", minutes=0.1, fps=15)
     (here,) = run_cases([case], 1, processes=1)[0]
@@ -303,6 +305,7 @@ def test_sessions_differ_in_what_they_are_named_after():
     assert people_of("unusual").marker_place == 2 * people_of("").marker_place
 
 
+@pytest.mark.long
 def test_smoothing_uses_what_comes_later():
     """The same person and the same instants."""
     live = Case("free", "chain", minutes=0.12, fps=15, seed=3)

@@ -23,6 +23,8 @@ from tracker.session.export.run import export
 from tracker.session.reader import SessionReader
 from tracker.session.writer import SessionRecorder
 
+pytestmark = pytest.mark.long
+
 Y_UP = AXES["y-up"].rows
 NEAR = 1e-4  # m
 START = 0.5  # s, after which the hand is found

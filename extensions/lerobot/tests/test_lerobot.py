@@ -314,6 +314,7 @@ def test_both_hands_are_stored_side_by_side(tmp_path: Path, moving, session_info
     assert (valid[:, half + wrist] == 1).all()
 
 
+@pytest.mark.long
 def test_a_folder_in_processes_and_on_a_cluster_gives_the_same_files(
     tmp_path: Path, record: Callable[..., Path], moving, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -99,6 +99,7 @@ def columns(path: Path) -> tuple[list[str], Array]:
     return list(table.getColumnLabels()), table.getMatrix().to_numpy()
 
 
+@pytest.mark.long
 def test_markers_give_the_angles_within_a_degree(files: tuple[Path, Array], maker) -> None:
     folder, truth = files
     model = opensim.Model(str(folder / "o.osim"))

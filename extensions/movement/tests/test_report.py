@@ -36,6 +36,8 @@ from tracker.simulation.motion import Poses, pose_at
 from tracker.simulation.scenario import Simulation, SimulationParams
 from tracker.simulation.wearer import WearerParams
 
+pytestmark = pytest.mark.long
+
 FISTS, LEAD, PERIOD = 4, 4.0, 1.6  # times, s before the first, s each
 
 

@@ -157,6 +157,7 @@ def assert_equal(found: dict, wanted: tuple[Array, Rotation], limit: float = LIM
 # --- poses
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("loader", LOADERS)
 def test_the_application_reads_the_joints_that_are_sent(scene: Scene, program, loader: str) -> None:
     sent, application = program("left", "right"), scene.application(loader)

@@ -22,6 +22,8 @@ from tracker.cli import main
 from tracker.hand.names import FINGERS
 from tracker.messages import Array, Validity
 
+pytestmark = pytest.mark.long
+
 NOISE = 0.002  # m per coordinate
 
 

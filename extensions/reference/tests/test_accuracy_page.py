@@ -20,6 +20,7 @@ PAGE = Path(__file__).parents[1] / "docs" / "reference.md"
 BLOCKS = re.compile(r"^```(\w+)\n(.*?)^```", re.MULTILINE | re.DOTALL)
 
 
+@pytest.mark.long
 def test_the_commands_of_the_page_run(
     wearer: Wearer, short: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

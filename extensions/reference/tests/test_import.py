@@ -22,6 +22,8 @@ from tracker.geometry import so3
 from tracker.messages import Event
 from tracker.session.reader import SessionReader
 
+pytestmark = pytest.mark.long
+
 
 def test_known_faults_are_recovered(wearer: Wearer, imported: Path) -> None:
     """The estimates have 1 mm of noise per coordinate, 2400 instants of 22 points.

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+import pytest
 from numpy.testing import assert_allclose
 
 from app.engines.replay.hands import known_hand
@@ -38,6 +39,7 @@ def test_the_replay_has_the_reference_hand_at_its_time(wearer: Wearer, imported:
     references.close()
 
 
+@pytest.mark.long
 def test_points_of_an_incomplete_reference_are_drawn(
     wearer: Wearer, short: Path, tmp_path: Path, window: MainWindow, qtbot
 ) -> None:

@@ -95,6 +95,7 @@ def test_the_commands_need_a_replay(window: MainWindow, session: Path, qtbot) ->
     assert all(window.commands.actions[key].isEnabled() for key in keys)
 
 
+@pytest.mark.long
 @pytest.mark.processes
 def test_a_reference_is_imported_and_the_new_session_shows_it(
     dialog: ImportDialog, wearer: Wearer, x_L: Array, replayed: MainWindow, session: Path, qtbot
@@ -125,6 +126,7 @@ def test_a_reference_is_imported_and_the_new_session_shows_it(
     assert not dialog.progress.isVisible()
 
 
+@pytest.mark.long
 def test_errors_are_reported_before_the_import(
     dialog: ImportDialog, wearer: Wearer, x_L: Array, replayed: MainWindow, session: Path, qtbot
 ) -> None:
@@ -223,6 +225,7 @@ def report_of(window: MainWindow, qtbot) -> AccuracyDialog:
     return dialog
 
 
+@pytest.mark.long
 def test_a_report_lists_the_worst_instants_which_the_replay_shows(
     window: MainWindow, with_reference: Path, opened: list[str], qtbot
 ) -> None:
@@ -259,6 +262,7 @@ def assert_paused_at(window: MainWindow, t: float, qtbot) -> None:
     assert setup.player.position == pytest.approx(t) and not setup.player.playing
 
 
+@pytest.mark.long
 def test_several_recordings_are_in_one_report(
     window: MainWindow, with_reference: Path, opened: list[str], qtbot
 ) -> None:

@@ -16,6 +16,7 @@ from tracker.offline.track import track
 from tracker.session.reader import SessionReader
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("smooth", [False, True])
 def test_the_new_session_has_the_reference(smooth: bool, tmp_path: Path) -> None:
     """So another engine's accuracy is reported without another import."""

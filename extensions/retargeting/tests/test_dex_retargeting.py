@@ -75,6 +75,7 @@ def configured(hand: Path, kind: str) -> Dex:
     return Dex(out)
 
 
+@pytest.mark.long
 def test_vectors_of_our_own_hand_as_a_robot_are_followed_within_millimetres(
     session: Path, landmarks: np.ndarray, tmp_path: Path
 ) -> None:
@@ -91,6 +92,7 @@ def test_vectors_of_our_own_hand_as_a_robot_are_followed_within_millimetres(
     assert np.percentile(errors[1:], 90) < 0.015
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["numbered.urdf", "unnamed.xml"])
 def test_fingers_of_another_hand_point_where_the_wearers_do(
     name: str, landmarks: np.ndarray, tmp_path: Path
@@ -116,6 +118,7 @@ def test_positions_fit_with_the_free_base(landmarks: np.ndarray, tmp_path: Path)
     assert np.linalg.norm(now - wanted, axis=1).mean() < 0.6 * spread
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("finger", ["index", "middle"])
 def test_dexpilot_closes_a_pinch_and_opens_it(finger: str, tmp_path: Path) -> None:
     dex = configured(written(tmp_path, "lettered.urdf"), "dexpilot")

@@ -136,6 +136,7 @@ def test_links_without_a_shape_are_drawn_along_their_bones(hand_file) -> None:
     assert geom.type[0] == 3 and geom.size[1] == pytest.approx(BONES[0] / 2)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", LINKS)
 def test_each_hand_follows_a_fist_and_is_stable(name, hand_file) -> None:
     side = "left" if name == "left.urdf" else "right"

@@ -52,6 +52,7 @@ class Followed(ScriptedEngine):
         self.recorded.append(message)
 
 
+@pytest.mark.long
 @needs_mujoco
 def test_a_robot_follows_the_hand_is_recorded_and_holds_when_released(window, qtbot) -> None:
     followed, glove = Followed(), ScriptedGlove()

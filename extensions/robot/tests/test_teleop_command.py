@@ -78,6 +78,7 @@ def session(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
+@pytest.mark.long
 def test_a_session_drives_a_robot_and_the_new_session_contains_both(
     session: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -69,6 +69,7 @@ def errors(found: Alignment) -> tuple[float, float]:
     return 1e3 * float(away), float(np.rad2deg(np.linalg.norm(turned)))
 
 
+@pytest.mark.long
 def test_offset_heading_and_delay_are_found(movement: Moved) -> None:
     """The tracker's noise is 1 mm and 0.6°; the wrist wanders by 1 mm, the gyro's bias is 1.5 °/s,
     its scale and the accelerometers' biases turn the glove by about a degree; a reading of the
@@ -92,6 +93,7 @@ def test_a_twentieth_of_wild_poses_and_a_gap_change_little(movement: Moved) -> N
     assert mm < 6.0 and degrees < 4.0
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("change", "code"),
     [
@@ -126,6 +128,7 @@ def recorded(path: Path, motion: SimulatedMotion, tracker: RoomTracker | None) -
             recorder.write(message)
 
 
+@pytest.mark.long
 def test_the_command_aligns_a_recording(
     joints: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -140,6 +143,7 @@ def test_the_command_aligns_a_recording(
     assert main(["room", "align", str(session), "-o", str(out), "--force"]) == 0
 
 
+@pytest.mark.long
 def test_an_aligned_glove_follows_the_tracker(joints: int) -> None:
     """The alignment of one movement, used on another one."""
     hand, glove = library.load()

@@ -158,6 +158,7 @@ def free_port() -> int:
         return port
 
 
+@pytest.mark.long
 def test_the_guided_movement_aligns_the_tracker_and_live_tracking_uses_it(
     dialog: RoomDialog, window: MainWindow, clock: Clock, qtbot
 ) -> None:

@@ -25,6 +25,7 @@ def circles(page) -> list[Circle]:
     return [p for p in page.axes.patches if isinstance(p, Circle)]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("paper", PAPERS_MM)
 @pytest.mark.parametrize("name", library.names("gloves"))
 def test_every_patch_is_printed_once_at_true_size(name: str, paper: str) -> None:
@@ -71,6 +72,7 @@ def test_the_pdf_has_the_paper_s_size_and_is_the_same_each_time(tmp_path: Path) 
     assert size_mm == pytest.approx(PAPERS_MM["letter"], abs=0.05)
 
 
+@pytest.mark.long
 def test_the_board_is_found_on_its_page_in_its_size() -> None:
     """OpenCV measures the square on the page, drawn at ten pixels a millimetre."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg

@@ -82,6 +82,7 @@ def reach(dialog: StudyDialog, phase: TrialPhase, qtbot) -> None:
     dialog.tick()
 
 
+@pytest.mark.long
 @pytest.mark.processes
 def test_a_study_is_run_by_clicks(
     dialog: StudyDialog, study: Study, window: MainWindow, recorders: list[MemoryRecorder], qtbot

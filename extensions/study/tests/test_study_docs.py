@@ -17,6 +17,7 @@ SHELL = re.compile(r"^```sh\n(.*?)^```", re.MULTILINE | re.DOTALL)
 KEY = re.compile(r"`([a-z_]+)`")
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("workers_here")
 @pytest.mark.timeout(900)  # it simulates and tracks eight trials
 def test_every_command_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -25,6 +25,8 @@ from tracker.messages import Estimate
 from tracker.session.compare import truth_error_mm
 from tracker.session.reader import SessionReader
 
+pytestmark = pytest.mark.long
+
 
 @pytest.fixture(scope="module")
 def recorded(short_study: Study) -> list[Evaluated]:

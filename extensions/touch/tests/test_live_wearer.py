@@ -25,6 +25,8 @@ from tracker.simulation.demo import build as build_demo
 from tracker.simulation.posture_requests import AHEAD
 from tracker.simulation.scenario import Simulation
 
+pytestmark = pytest.mark.long
+
 STEP = 0.05  # s
 SEED = 1
 

@@ -83,6 +83,7 @@ def rig() -> StereoRig:
     return ideal_rig()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("scale", [1.0, 0.99])
 def test_pose_and_scale_of_a_simulated_print_are_found(rig: StereoRig, scale: float) -> None:
     """Targets within 0.5 mm; a print that is 1 % too small is reported, a correct one is not."""
@@ -113,6 +114,7 @@ def test_a_ruler_separates_print_scale_from_camera_error(rig: StereoRig) -> None
     assert {n.code for n in print_wrong.notices()} == {"touch.print_scale"}
 
 
+@pytest.mark.long
 def test_a_sheet_that_moves_is_noticed(rig: StereoRig) -> None:
     place = placed_sheet(2)
     shifted = SheetPlace(place.R_GS, place.p_GS + [0.004, 0, 0])

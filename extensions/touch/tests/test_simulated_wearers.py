@@ -35,6 +35,7 @@ def test_the_movement_has_no_jumps() -> None:
     assert np.abs(np.diff(p_GB, axis=0)).max() / 0.01 < 3.0
 
 
+@pytest.mark.long
 def test_the_engine_s_error_is_found_on_a_short_test() -> None:
     """Four touches of the index finger, tracked by the default engine: the bias found is within
     1 mm per axis of the true one (pulp 0.4 mm, aim 0.6 / √4 mm, ruler 0.3 mm: SD 0.6 mm)."""

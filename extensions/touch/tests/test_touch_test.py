@@ -32,6 +32,8 @@ from extensions.touch.track import TipTrack
 from tracker.base.errors import ConfigError
 from tracker.cli import main
 
+pytestmark = pytest.mark.long
+
 BIAS = {"thumb": [0.002, 0.0, 0.001], "index": [0.0, -0.003, 0.0], "middle": [-0.001, 0, 0.004]}
 SD = 0.002
 

@@ -20,6 +20,8 @@ from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation, SimulationParams
 from tracker.simulation.wearer import THUMB, Wearer, WearerParams
 
+pytestmark = pytest.mark.long
+
 BENT = np.deg2rad(18.0)  # bend of this wearer's thumb beyond that of most people
 
 

@@ -140,6 +140,7 @@ def test_a_late_image_changes_nothing_but_its_time_of_use(session, hand, glove):
     np.testing.assert_allclose(keypoints[0], keypoints[1], rtol=0, atol=1e-9)
 
 
+@pytest.mark.long
 def test_a_hand_out_of_view_is_lost_and_found_again(hand, glove):
     motion = leaving(RandomPostures(hand, seed=2, duration=13.0), ((5.0, 10.0),))
     simulation, messages = simulate(hand, glove, motion, seed=2)
@@ -154,6 +155,7 @@ def test_a_hand_out_of_view_is_lost_and_found_again(hand, glove):
     assert errors_mm(simulation, back, hand, glove).mean() < 12
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["five-finger", "vist-small-distal"])
 def test_other_gloves_need_no_other_code(hand, name):
     glove = load_glove(RESOURCES / "gloves" / f"{name}.toml", hand)

@@ -45,6 +45,7 @@ def no_glove(m):
     return None if isinstance(m, ImuSample) else m
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("fault", [silent_finger, stuck_finger, no_right_image, no_glove])
 def test_faults_pass(session, hand, glove, fault):
     simulation, messages = session
