@@ -11,6 +11,8 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from app.engines.demo_camera import (
     DURATION,
     FILES,
@@ -54,7 +56,7 @@ from tracker.simulation.demo import DemoSpec, ask, build_scene, hands_of, reques
 from tracker.simulation.gestures import gesture_angles
 from tracker.simulation.glove_process import GloveProcess
 from tracker.simulation.guided import HeldHand, HoldParams
-from tracker.simulation.posture_requests import AHEAD, MOVE, PostureRequest
+from tracker.simulation.posture_requests import AHEAD, MOVE, PostureRequest, RequestedMotion
 from tracker.simulation.scenario import Simulation
 from tracker.simulation.shows import shown_application
 from tracker.simulation.smooth import rng_for
@@ -70,6 +72,8 @@ LEAD = 0.25  # s until the devices begin: a recording begun at once is complete
 START_TIMEOUT = 120.0  # s, for a process that starts on a loaded machine
 CAMERA = "simulated camera"
 TURNING = 6.0  # s per turn of the wrist from side to side
+HIDDEN_PINCHES = "pinch_ring", "pinch_little"  # below the palm, where the back faces the camera
+OUTER_SIDE = np.deg2rad(-90.0)  # roll of a right hand, whose outer side then faces the camera
 
 
 class DemoGlove:
@@ -339,7 +343,18 @@ class GuidedWearer:
     def _ask_gesture(self, gesture: str) -> None:
         angles = self._gesture(gesture) if gesture else ()
         turning = TURNING if gesture == "turn" else 0.0
-        self._send(PostureRequest(self._clock() + AHEAD, angles, turning), gesture)
+        place = self._turned() if self._alone and gesture in HIDDEN_PINCHES else ()
+        asked = PostureRequest(self._clock() + AHEAD, angles, turning, place)
+        self._send(asked, gesture)
+
+    def _turned(self) -> tuple[float, ...]:
+        """The place of a hand whose outer side the camera sees, where the palm hides no finger."""
+        simulation = self._simulation()
+        motion = simulation.motion
+        if not isinstance(motion, RequestedMotion):
+            return ()
+        side = 1.0 if simulation.hand.side == "right" else -1.0
+        return motion.turned(side * OUTER_SIDE, simulation.hand.length)
 
     def _ask(self, pose: str) -> None:
         angles = self._angles(pose) if pose else ()

@@ -24,6 +24,10 @@ from tracker.messages import Estimate, StereoFrame
 from tracker.session.reader import SessionReader
 from tracker.session.recover import needs_recovery
 from tracker.simulation.gestures import tip_distances
+from tracker.simulation.posture_requests import RequestedMotion
+from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.scenario import Simulation
+from tracker.vision.rig import default_pose
 
 pytestmark = pytest.mark.processes
 FPS = 15.0  # images are most of the work, and each is drawn, searched, shown and recorded
@@ -254,18 +258,26 @@ def test_a_gesture_does_not_wait_for_pinches_that_are_solved_in_advance(monkeypa
 def test_a_wearer_bends_one_finger_alone():
     assert demo_spec(1, DemoChoice(independent_fingers=True)).alone and not demo_spec(1).alone
     shown = queue.Queue()
+    hand, glove, _ = models()
+    motion = RequestedMotion(RandomPostures(hand, 4, duration=6.0), 4)
+    scene = Simulation(hand, glove, motion, 4, fps=30.0)
     wearer = demo_module.GuidedWearer(
-        simulation, lambda asked, gesture: shown.put(asked.angles), time.monotonic(), alone=True
+        lambda: scene, lambda asked, gesture: shown.put(asked), time.monotonic(), alone=True
     )
-    hand, person = simulation().hand, simulation().wearer
+    person = scene.wearer
     bent = [hand.angle_index[f"{f}_{j}_flexion"] for f in FINGERS for j in ("mcp", "pip")]
     for k, finger in ((2, "ring"), (3, "little")):
         wearer.show_gesture(f"pinch_{finger}")
-        angles = np.array(shown.get(timeout=60.0))
+        asked = shown.get(timeout=60.0)
+        angles = np.array(asked.angles)
         others = np.delete(angles[bent], [2 * k, 2 * k + 1])
         assert np.abs(others).max() < 1e-6 and np.abs(angles[bent][2 * k : 2 * k + 2]).min() > 0.3
         reach = tip_distances(hand, angles, person)
         assert reach[finger] < 0.02 and min(d for f, d in reach.items() if f != finger) > 0.05
+        # the hand turns its outer side, -y of a right one, to the camera: no palm in between
+        R, wrist = np.reshape(asked.place[:9], (3, 3)), np.array(asked.place[9:])
+        to_camera = default_pose().p_GC - wrist
+        assert hand.side == "right" and -R[:, 1] @ to_camera > 0.5 * np.linalg.norm(to_camera)
     wearer.close()
 
 

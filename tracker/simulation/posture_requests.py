@@ -84,6 +84,12 @@ class RequestedMotion:
         if request not in self.request:
             self.request = (*self.request, request)
 
+    def turned(self, roll: float, length: float) -> tuple[float, ...]:
+        """``place`` of a request: where the motion begins, with the hand of this ``length`` (m)
+        rolled (rad) about the axis of the forearm through its middle."""
+        R, half = self._R @ so3.exp(np.array([roll, 0.0, 0.0])), np.array([length / 2, 0.0, 0.0])
+        return (*R.reshape(-1).tolist(), *(self._p + self._R @ half - R @ half).tolist())
+
     def poses(self, t: Array) -> Poses:
         t = np.asarray(t, float)
         count = self._relevant(float(t.min(initial=np.inf)))
