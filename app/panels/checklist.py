@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Protocol
+
 from PySide6.QtCore import Qt, Signal, SignalInstance
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
@@ -11,7 +13,7 @@ from app.engines.snapshot import Snapshot
 from app.panels.hand_choice import HandChoice
 from app.panels.panel import Panel
 from app.platform.tasks import LatestJob
-from app.storage.settings import SettingsStore
+from app.storage.settings import SettingsOf
 from app.viewmodels.checklist import hues_seen, steps
 from app.viewmodels.light import LightWatch
 from app.viewmodels.set_up_steps import SettledSteps, SetUpStep, images_arrive, is_lost, summary
@@ -22,12 +24,19 @@ REASON = 30  # minimum number of characters in a line of a reason next to a butt
 HUE_MEMORY = 4.0  # s for which a hue counts as seen
 
 
+class ChecklistSettings(Protocol):
+    """The settings of this panel."""
+
+    @property
+    def calibration(self) -> str: ...
+
+
 class ChecklistPanel(Panel):
     period = 0.5
     action = Signal(str)
 
     def __init__(
-        self, host: HandSwitch, store: SettingsStore, parent: QWidget | None = None
+        self, host: HandSwitch, store: SettingsOf[ChecklistSettings], parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self.host = host

@@ -4,6 +4,7 @@ each IMU."""
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Protocol
 
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -22,7 +23,7 @@ from app.engines.snapshot import Snapshot
 from app.panels.graphs.looks import COLOURS, curve_looks
 from app.panels.hand_choice import HandChoice
 from app.panels.panel import Panel, PanelColours
-from app.storage.settings import SettingsStore
+from app.storage.settings import SettingsOf
 from app.viewmodels.graphs import value_at
 from app.viewmodels.names import display_name
 from app.viewmodels.sensors import finger_angles, glove_figures, imu_states, link_tip
@@ -40,11 +41,18 @@ RANGES = {"gyro": (-400.0, 400.0), "accel": (-2.5, 2.5)}
 UNITS = {"gyro": "°/s", "accel": "g", "angles": "°"}
 
 
+class SensorSettings(Protocol):
+    """The settings of this panel."""
+
+    @property
+    def curves(self) -> str: ...
+
+
 class SensorsPanel(Panel):
     period = 1 / 20
 
     def __init__(
-        self, host: HandSwitch, store: SettingsStore, parent: QWidget | None = None
+        self, host: HandSwitch, store: SettingsOf[SensorSettings], parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self.host = host

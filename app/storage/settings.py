@@ -14,7 +14,7 @@ import shutil
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol, TypeVar
 
 import platformdirs
 
@@ -160,6 +160,27 @@ class SettingsStore:
         _log.warning("%s", self.notice)
 
 
+S_co = TypeVar("S_co", covariant=True)
+
+
+class SettingsOf(Protocol[S_co]):
+    """The settings that a panel uses: it may read those of ``S_co``, a protocol with a property for
+    each, and changes them by `update`. A `SettingsStore` is one for every part of `AppSettings`."""
+
+    @property
+    def value(self) -> S_co: ...
+
+    def update(self, **changes: Any) -> None:
+        """Change some fields and write the file. Raises FileError."""
+
+
+class FolderSettings(Protocol):
+    """The settings that `sessions_folder` reads."""
+
+    @property
+    def sessions_folder(self) -> str: ...
+
+
 def _version_of(data: Any) -> int:
     version = data.get("version") if isinstance(data, dict) else None
     if type(version) is not int or version < 1:
@@ -191,7 +212,7 @@ def wearer_of(settings: AppSettings, side: str, of_demo: bool = False) -> str:
     return str((settings.demo_wearers if of_demo else settings.wearers).get(side, ""))
 
 
-def sessions_folder(settings: AppSettings) -> Path:
+def sessions_folder(settings: FolderSettings) -> Path:
     """The folder for recordings: the user's choice, else the documents folder."""
     if settings.sessions_folder:
         return Path(settings.sessions_folder)

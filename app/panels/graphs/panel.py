@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import partial
-from typing import Protocol
+from typing import Any, Protocol
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import (
@@ -26,7 +26,7 @@ from app.panels.graphs.stack import GraphStack
 from app.panels.graphs.tree import SignalTree
 from app.panels.panel import MessageLabel, Panel, PanelColours
 from app.platform.tasks import LatestJob
-from app.storage.settings import SettingsStore
+from app.storage.settings import SettingsOf
 from app.viewmodels.graphs import SPANS, Graph, first_graphs, from_setting, to_setting
 from app.viewmodels.signal_curves import Curve, LiveCurves, RecordingCurves
 from app.viewmodels.signals import Signal as Figure
@@ -36,12 +36,21 @@ from app.widgets.one_line import OneLine
 from app.widgets.question import answer
 
 
+class GraphSettings(Protocol):
+    """The settings of this panel."""
+
+    @property
+    def graphs(self) -> dict[str, Any]: ...
+
+
 class GraphLayouts(QObject):
     """A menu on ``button``. ``chosen``: the graphs (list of `Graph`) to show."""
 
     chosen = Signal(list)
 
-    def __init__(self, panel: QWidget, button: QToolButton, store: SettingsStore) -> None:
+    def __init__(
+        self, panel: QWidget, button: QToolButton, store: SettingsOf[GraphSettings]
+    ) -> None:
         super().__init__(panel)
         self._panel, self._store = panel, store
         self.menu = QMenu(button)
@@ -101,7 +110,7 @@ class GraphsPanel(Panel):
     period = 1 / 20
 
     def __init__(
-        self, host: GraphsHost, store: SettingsStore, parent: QWidget | None = None
+        self, host: GraphsHost, store: SettingsOf[GraphSettings], parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self.host = host

@@ -5,13 +5,14 @@ from __future__ import annotations
 import importlib
 import importlib.util
 from collections.abc import Sequence
+from typing import Protocol
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QToolButton, QWidget
 
 from app.platform.graphics import GraphicsQuery, is_card
 from app.platform.tasks import JobProgress, TaskOwner
-from app.storage.settings import SettingsStore
+from app.storage.settings import SettingsOf
 from app.viewmodels.hand_scene import ShownParts
 from app.viewmodels.names import display_name, engine_name
 from app.widgets.one_line import OneLine
@@ -157,6 +158,16 @@ def is_there() -> bool:
     return all(importlib.util.find_spec(name) is not None for name in ("pyvistaqt", "vtkmodules"))
 
 
+class View3DSettings(Protocol):
+    """The settings of the 3D view."""
+
+    @property
+    def view_3d(self) -> str: ...
+
+    @property
+    def card_trial(self) -> bool: ...
+
+
 class ViewChooser(QObject):
     """Follows the setting ``view_3d``. A graphics driver that crashes the program is tried only
     once."""
@@ -164,7 +175,11 @@ class ViewChooser(QObject):
     refused = Signal(str)
 
     def __init__(
-        self, view: View3D, store: SettingsStore, tasks: TaskOwner, parent: QObject | None = None
+        self,
+        view: View3D,
+        store: SettingsOf[View3DSettings],
+        tasks: TaskOwner,
+        parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
         self._view, self._store, self._tasks = view, store, tasks

@@ -14,11 +14,11 @@ from app.engines.engine import EngineSetup
 from app.engines.host_parts import CurrentEngine, ErrorSignal, HandChanges
 from app.engines.snapshot import Snapshot
 from app.panels.hand.bodies import HandBodies
-from app.panels.hand.controls import HandControls, ViewChooser
+from app.panels.hand.controls import HandControls, View3DSettings, ViewChooser
 from app.panels.hand.legend import ValidityLegend
 from app.panels.panel import Panel, PanelColours
 from app.platform.tasks import LatestJob, TaskOwner
-from app.storage.settings import SettingsStore
+from app.storage.settings import SettingsOf
 from app.viewmodels.colours import hue_colours
 from app.viewmodels.gestures import ShownGestures
 from app.viewmodels.hand_scene import (
@@ -103,7 +103,7 @@ class HandPanel(Panel):
     def __init__(
         self,
         host: HandHost,
-        store: SettingsStore,
+        store: SettingsOf[View3DSettings],
         tasks: TaskOwner,
         parent: QWidget | None = None,
     ) -> None:

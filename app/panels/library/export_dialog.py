@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import (
@@ -27,7 +27,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.jobs.export import ExportRequest, free_target
-from app.storage.settings import SettingsStore
+from app.storage.settings import SettingsOf
 from app.viewmodels.recording import position_text
 from app.widgets.question import question
 from app.words import tr
@@ -47,12 +47,25 @@ MAX_RATE_HZ = 2000.0
 LONGEST = 60  # maximum number of characters in a name
 
 
+class ExportSettings(Protocol):
+    """The settings of exports."""
+
+    @property
+    def export(self) -> dict[str, Any]: ...
+
+    @property
+    def export_presets(self) -> dict[str, Any]: ...
+
+    @property
+    def export_folder(self) -> str: ...
+
+
 class Presets(QWidget):
     """A list of presets; ``read`` returns the options in the fields, ``show`` fills the fields."""
 
     def __init__(
         self,
-        store: SettingsStore,
+        store: SettingsOf[ExportSettings],
         read: Callable[[], ExportChoice],
         show: Callable[[ExportChoice], None],
         parent: QWidget | None = None,
@@ -142,7 +155,7 @@ class ExportDialog(QDialog):
         self,
         sources: Sequence[Path],
         part: tuple[float, float] | None,
-        store: SettingsStore,
+        store: SettingsOf[ExportSettings],
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)

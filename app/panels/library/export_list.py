@@ -17,10 +17,10 @@ from PySide6.QtWidgets import (
 )
 
 from app.jobs.export import ExportQueue, ExportRequest, QueueItem
-from app.panels.library.export_dialog import ExportDialog
+from app.panels.library.export_dialog import ExportDialog, ExportSettings
 from app.panels.library.session_files import open_folder
 from app.platform.tasks import TaskOwner
-from app.storage.settings import SettingsStore
+from app.storage.settings import SettingsOf
 from app.widgets.measures import TIGHT
 from app.widgets.one_line import OneLine
 from app.words import tr
@@ -112,7 +112,9 @@ class Exporting(QObject):
 
     begun = Signal()
 
-    def __init__(self, tasks: TaskOwner, store: SettingsStore, parent: QWidget) -> None:
+    def __init__(
+        self, tasks: TaskOwner, store: SettingsOf[ExportSettings], parent: QWidget
+    ) -> None:
         super().__init__(parent)
         self._store, self._window = store, parent
         self.queue = ExportQueue(tasks, self)

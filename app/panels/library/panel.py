@@ -17,6 +17,7 @@ from app.engines.protocols import Player
 from app.engines.snapshot import Snapshot
 from app.panels.command_kind import RecordingAction
 from app.panels.library.comparing import Comparing, ComparingHost
+from app.panels.library.export_dialog import ExportSettings
 from app.panels.library.export_list import Exporting, ExportList
 from app.panels.library.gap_page import GapPage, Gaps
 from app.panels.library.session_files import FilesHost, SessionFiles, open_folder
@@ -25,7 +26,7 @@ from app.panels.library.track_dialog import TrackDialog
 from app.panels.library.transport import TransportBar
 from app.panels.panel import Panel
 from app.platform.tasks import JobProgress, RunningJob, TaskOwner
-from app.storage.settings import SettingsStore, sessions_folder
+from app.storage.settings import FolderSettings, SettingsOf, sessions_folder
 from app.viewmodels.library import Details, SessionRow, read_details, scan
 from app.widgets.measures import APART, NEAR, TIGHT
 
@@ -71,6 +72,13 @@ class LibraryHost(ComparingHost, EngineChanges, FilesHost, Protocol):
     """What the library uses of the engine host."""
 
 
+class LibrarySettings(ExportSettings, FolderSettings, Protocol):
+    """The settings of this panel and its dialogs."""
+
+    @property
+    def library_columns(self) -> list[int]: ...
+
+
 class LibraryPanel(Panel):
     period = 0.05
     replay = Signal(object)  # Path
@@ -79,7 +87,7 @@ class LibraryPanel(Panel):
     def __init__(
         self,
         host: LibraryHost,
-        store: SettingsStore,
+        store: SettingsOf[LibrarySettings],
         tasks: TaskOwner,
         actions: Mapping[str, RecordingAction],
         parent: QWidget | None = None,

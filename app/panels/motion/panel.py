@@ -33,7 +33,7 @@ from app.panels.graphs.looks import curve_looks
 from app.panels.hand_choice import HandChoice
 from app.panels.panel import MessageLabel, Panel, PanelColours
 from app.platform.tasks import LatestJob
-from app.storage.settings import SettingsStore
+from app.storage.settings import SettingsOf
 from app.viewmodels.motion import MotionModel, MotionRow, shown_name
 from app.viewmodels.names import display_name
 from app.viewmodels.states import GREY, VALIDITY
@@ -52,12 +52,19 @@ class MotionHost(ErrorSignal, HandSwitch, Protocol):
     """What the panel uses of the engine host."""
 
 
+class MotionSettings(Protocol):
+    """The settings of this panel."""
+
+    @property
+    def angle_unit(self) -> str: ...
+
+
 class MotionPanel(Panel):
     period = 1 / 10
     removed = Signal(str, object)  # a message, and a function that undoes the removal
 
     def __init__(
-        self, host: MotionHost, store: SettingsStore, parent: QWidget | None = None
+        self, host: MotionHost, store: SettingsOf[MotionSettings], parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self.host = host
