@@ -80,7 +80,7 @@ NEVER = StartRule(math.inf)
 MUCH_MORE = 0.2  # by which another posture's value must exceed that of the active one
 NEARER = 0.006  # m by which another finger's pad must be closer than that of the active pinch
 LOSES_AFTER = 0.1  # s for which a gesture continues after its features are lost
-LARGEST_SD = 0.012  # m, of the gap of a pinch, above which it does not begin
+LARGEST_SD = 0.016  # m, of the gap of a pinch, above which it does not begin; that of points
 
 
 class Phase(NamedTuple):
