@@ -270,7 +270,7 @@ def test_the_reference_is_named_and_so_are_the_engines_in_the_columns(window, tm
     controls = window.hand.controls
     other = controls.reference.findData("other")
     assert not controls.reference.model().item(other).isEnabled()  # nothing is there to compare
-    window.library.beside.emit("vist")
+    window.library.second_named.emit("vist")
     assert controls.reference.currentText() == "Reference: VIST"
     figures = {"identical": True, "compared": 3, "mean_mm": 0.0, "max_mm": 0.0, "rms_deg": 0.0}
     figures |= {"keypoints_mm": {}, "joints_rms_deg": {}}

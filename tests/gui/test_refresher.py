@@ -69,7 +69,7 @@ def test_only_low_priority_panels_are_delayed_on_an_overloaded_computer(host, qt
 
 def test_panels_and_images_give_way_to_a_device_that_follows_the_hand(host, qtbot, monkeypatch):
     given: list[str] = []
-    monkeypatch.setattr(PAINTING, "to", SimpleNamespace(give=lambda: given.append("way")))
+    monkeypatch.setattr(PAINTING, "priority", SimpleNamespace(wait=lambda: given.append("way")))
     panel = Counting("one", None)
     qtbot.addWidget(panel)
     panel.show()

@@ -503,7 +503,7 @@ def test_a_glove_unplugged_during_a_recording_is_named_until_it_is_back(qtbot, w
     qtbot.waitUntil(lambda: not window.messages.isVisible())
     engine.recent_imu = list
     qtbot.waitUntil(lambda: window.messages.isVisible())
-    window.messages.say("Something else.", good=True)
+    window.messages.show_message("Something else.", good=True)
     window.messages.hide()
     qtbot.waitUntil(lambda: window.banner.text() == text)
     window.banner.dismissed.emit()
@@ -515,16 +515,18 @@ def test_a_glove_unplugged_during_a_recording_is_named_until_it_is_back(qtbot, w
 def test_good_news_disappears_and_problems_stay(qtbot, window, monkeypatch):
     monkeypatch.setattr("app.window.message_bar.READ_MS", 100)
     monkeypatch.setattr("app.window.message_bar.CHOOSE_MS", 100)
-    window.messages.say("Saved.", good=True)
+    window.messages.show_message("Saved.", good=True)
     assert window.messages.isVisible()
     qtbot.waitUntil(lambda: not window.messages.isVisible())
-    window.messages.say("P01 is complete.", ("Show it", lambda: None), good=True, stays=True)
+    window.messages.show_message(
+        "P01 is complete.", ("Show it", lambda: None), good=True, stays=True
+    )
     qtbot.waitUntil(lambda: not window.messages.isVisible())
-    window.messages.say("Saved.", good=True)
-    window.messages.say("The disk is full.")
+    window.messages.show_message("Saved.", good=True)
+    window.messages.show_message("The disk is full.")
     qtbot.wait(300)
     assert window.banner.text() == "The disk is full." and window.messages.isVisible()
-    window.messages.say("Plugged in now: the glove.", good=True, about="devices")
+    window.messages.show_message("Plugged in now: the glove.", good=True, about="devices")
     qtbot.wait(300)
     assert window.messages.isVisible(), "it ends when it is no longer true"
 

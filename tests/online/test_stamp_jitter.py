@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tracker.fusion.chain.prediction import Prediction
-from tracker.fusion.chain.stamp_noise import StampNoise, common_noise, row_velocities
+from tracker.fusion.chain.stamp_noise import StampNoise, common_noise, row_velocities, widened
 from tracker.messages import Array
 from tracker.online.frame_timing import StampJitter
 
@@ -63,3 +63,19 @@ def test_the_common_noise_is_that_of_all_markers_at_a_wrong_instant() -> None:
     R = common_noise(prediction, match, StampNoise(0.004, v_G), 7)
     scale = np.sqrt(np.outer(np.diag(R), np.diag(R)))
     assert np.cov(moved.T) / scale == pytest.approx(R / scale, abs=0.05)
+
+
+def test_each_marker_is_less_certain_along_its_own_velocity() -> None:
+    rng = np.random.default_rng(4)
+    A, v_G = rng.normal(0, 800, (2, 4, 2, 3)), rng.normal(0, 1.0, (4, 3))
+    rows, none = np.array([0, 1, 3]), np.zeros((3, 3, 3))
+    root = rng.normal(0, 1e-3, (3, 3, 3))
+    cov = root @ root.transpose(0, 2, 1)
+    moved = cov + 0.004**2 * np.einsum("ni,nj->nij", v_G[rows], v_G[rows])
+    seen = np.einsum("cnij,njk,cnlk->cnil", A[:, rows], moved, A[:, rows]) + 0.5**2 * np.eye(2)
+    prediction = Prediction(
+        rows, np.zeros((2, 4, 2)), np.ones((2, 4)), none, none, cov, A, np.zeros((2, 3, 2, 2))
+    )
+    widened(prediction, StampNoise(0.004, v_G), pixel_px=0.5)
+    assert prediction.cov == pytest.approx(moved, rel=1e-12)
+    np.testing.assert_allclose(prediction.S, seen, rtol=1e-9)

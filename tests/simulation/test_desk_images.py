@@ -28,8 +28,6 @@ from tracker.simulation.solids import capsules
 from tracker.simulation.wearer import Wearer
 from tracker.vision.rig import ideal_rig
 
-pytestmark = pytest.mark.long
-
 THIRD = 1 / 3
 SEEDS, TIMES = (1, 2, 3), np.arange(1.0, 20.0, 3.1)
 
@@ -39,6 +37,7 @@ def over_a_desk(hand: HandModel, glove: GloveModel, seed: int = 1) -> SimulatedS
     return SimulatedScene(Wearer.exact(hand, glove), still, ideal_rig(), seed)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("light", LIGHTS)
 def test_own_images_are_as_difficult_as_photographs(light: str, data_folder: Path) -> None:
     """The factory colours miss as many markers and find as many false blobs in both, within a
@@ -60,6 +59,7 @@ def test_own_images_are_as_difficult_as_photographs(light: str, data_folder: Pat
     assert abs(false - theirs.false_blobs) < THIRD * theirs.false_blobs, detail
 
 
+@pytest.mark.long
 def test_images_are_reproducible_with_independent_noise(hand: HandModel, glove: GloveModel) -> None:
     scene = over_a_desk(hand, glove)
     once, again = (DeskRenderer(scene, DeskParams("lamp")) for _ in range(2))
@@ -171,6 +171,7 @@ def test_impossible_rooms_are_rejected(hand: HandModel, glove: GloveModel) -> No
         DeskRenderer(scene)
 
 
+@pytest.mark.long
 def test_a_demo_may_show_a_desk() -> None:
     texts = library.texts()
     plain, desk = (build(DemoSpec(*texts, light=light)).renderer for light in ("", "led"))
@@ -180,6 +181,7 @@ def test_a_demo_may_show_a_desk() -> None:
     assert desk.pair(1.0)[0].shape == plain.pair(1.0)[0].shape
 
 
+@pytest.mark.long
 def test_prerendered_backgrounds_do_not_change_the_hand(hand: HandModel, glove: GloveModel) -> None:
     """On the hand both differ only by their noise; elsewhere one of few images is shown."""
     scene, params = over_a_desk(hand, glove), DeskParams("led", exposures=1, jpeg_quality=0)

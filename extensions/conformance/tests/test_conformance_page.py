@@ -210,7 +210,7 @@ def test_the_take_is_a_recording_that_ends_with_the_dialog(dialog, window, clock
     through(dialog, clock, engine, until=8.0)
     assert window.host.recording.request is not None
     dialog.reject()
-    window.host.recording.look()
+    window.host.recording.poll()
     assert window.host.recording.request is None
     assert [p.suffix for p in (tmp_path / "takes").iterdir()] == [".mcap"]
 
