@@ -429,6 +429,7 @@ def test_a_headless_report_replaces_nothing_without_force(
     assert files_in(tmp_path) == before
 
 
+@pytest.mark.long
 def test_an_empty_file_may_be_written_to(sessions: Sessions, tmp_path: Path) -> None:
     """As mktemp makes it, which others may not read."""
     out = tmp_path / "tmp.abc"

@@ -171,6 +171,7 @@ def test_a_sentence_in_an_error_is_found(code: str) -> None:
     assert len(sentences_in(read_module(right + code), {"DeviceError", "FileError"})) == 1
 
 
+@pytest.mark.long
 def test_every_code_in_use_has_a_text_whose_values_are_supplied() -> None:
     templates, found = all_templates(), list(emitted())
     assert len(found) > 60

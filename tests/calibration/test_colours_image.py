@@ -61,6 +61,7 @@ def test_an_image_gives_colours_that_find_the_patches(shift: int, gain: float) -
     assert (len(before) < 24) == (shift == 12)
 
 
+@pytest.mark.long
 def test_an_unchanged_hue_is_not_reported_as_found() -> None:
     """One patch of a hue is too few to learn it from."""
     image = glove_image()

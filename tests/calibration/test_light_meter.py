@@ -67,6 +67,7 @@ def kinds(image) -> set[str]:
     return {a.kind for a in LightMeter(PROFILE).read(image).advice}
 
 
+@pytest.mark.long
 def test_detected_patches_are_markers_of_the_hand(led) -> None:
     reading = LightMeter(PROFILE).read(led.image)
     gap = np.linalg.norm(reading.uv[:, None] - led.uv[None], axis=2).min(axis=1)

@@ -29,6 +29,8 @@ from tests.firmware.glove_oracle import (
     simulated_glove,
 )
 
+pytestmark = pytest.mark.long
+
 GRAVITY = 9.80665
 ACCEL_LSB = 16 * GRAVITY / 32768  # of the ranges in HELLO
 GYRO_LSB = np.radians(2000) / 32768
@@ -50,7 +52,6 @@ def ramp_file(tmp_path: Path) -> Path:
     return path
 
 
-@pytest.mark.long
 def test_sends_hello_each_second_and_nothing_else_until_start(build: Path) -> None:
     with simulated_glove(build) as glove:
         first = glove.wait_for(HELLO, 4)[0]
@@ -61,7 +62,6 @@ def test_sends_hello_each_second_and_nothing_else_until_start(build: Path) -> No
     assert 3 < report["simulated_s"] < 7
 
 
-@pytest.mark.long
 def test_samples_contain_each_imus_readings_at_their_time(build: Path, ramp_file: Path) -> None:
     with simulated_glove(build, motion=ramp_file) as glove:
         glove.start()
@@ -78,7 +78,6 @@ def test_samples_contain_each_imus_readings_at_their_time(build: Path, ramp_file
     assert np.all(late > -INNER_PERIOD_S - rounding)
 
 
-@pytest.mark.long
 @pytest.mark.parametrize(("baud", "rate_hz"), [(250_000, 100), (250_000, 200), (115_200, 100)])
 def test_the_line_and_the_chip_keep_up(
     build_firmware: Callable[[int], Path],
@@ -133,7 +132,6 @@ def test_a_new_rate_applies_at_once_and_is_reported(build: Path) -> None:
     assert [f.text for f in glove.of(ERROR)] == ["rate must be 50, 100 or 200 Hz"]
 
 
-@pytest.mark.long
 def test_status_each_second_contains_battery_temperature_and_imus(build: Path) -> None:
     with simulated_glove(build, "0:battery 3700") as glove:
         glove.start()
@@ -203,7 +201,6 @@ def test_no_sample_of_an_imu_that_lost_its_settings_is_sent(build: Path) -> None
     assert [f.text for f in glove.of(ERROR)] == ["no answer from IMU 1", "no answer from IMU 5"]
 
 
-@pytest.mark.long
 def test_status_reports_an_imu_before_any_packet_does(build: Path) -> None:
     with simulated_glove(build, "0:unplug 2") as glove:
         glove.start()
@@ -274,7 +271,6 @@ def test_a_clone_that_fails_its_self_test_is_not_used_and_a_known_chip_is(build:
     assert np.all(raw[:, 5, 2] == 2048)
 
 
-@pytest.mark.long
 def test_an_untested_clone_is_not_used_when_it_is_plugged_in_later(build: Path) -> None:
     with simulated_glove(build, "0:unplug 2", chip(2, 0x75)) as glove:
         glove.start()
@@ -360,7 +356,6 @@ def test_pulses_have_accurate_times(build: Path) -> None:
     assert 0 < t_us[-1] - pulses[-1][1] < 2_000_000
 
 
-@pytest.mark.long
 def test_pulses_before_the_start_are_not_reported(build: Path) -> None:
     with simulated_glove(build, "0.8:pulse 50", "2.5:pulse 50") as glove:
         glove.read_until(lambda: "pulse" in glove.printed or len(glove.of(HELLO)) > 2)

@@ -65,6 +65,7 @@ def marker_error(state: ChainState, wearer: Wearer) -> float:
     return float(np.linalg.norm(state.marker - true, axis=1).mean())
 
 
+@pytest.mark.long
 def test_one_sweep_is_the_least_squares_solution(engine: ChainEngine, sim: Simulation) -> None:
     """Poses eliminated one by one, against all unknowns in one dense system."""
     lay, params = engine.layout, ChainParams(bundle=replace(EARLY, sweeps=1, least_keyframes=3))

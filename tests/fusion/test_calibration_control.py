@@ -38,6 +38,7 @@ def pipeline(hand, glove, tracked):
     return out
 
 
+@pytest.mark.long
 def test_only_the_named_segment_is_reset(pipeline):
     before = pipeline.calibration()
     row = before.segments.index("index_proximal")

@@ -116,6 +116,7 @@ def test_is_reproducible_bit_for_bit(
         assert np.array_equal(a.angles, b.angles, equal_nan=True)
 
 
+@pytest.mark.long
 def test_a_restored_state_resumes_identically(sim: Simulation) -> None:
     messages = messages_of(sim)
     half = len(messages) // 2
@@ -165,6 +166,7 @@ def test_a_broken_imu_degrades_and_recovers(
     assert error[t > 7].mean() < 0.010
 
 
+@pytest.mark.long
 def test_a_glove_without_packets_is_tracked_by_the_cameras_alone(sim: Simulation) -> None:
     """Fingers that moved meanwhile converge slowly: only the hand's position is tested at once."""
     estimates, error = run(sim, edit=broken(lambda s: None))
@@ -173,6 +175,7 @@ def test_a_glove_without_packets_is_tracked_by_the_cameras_alone(sim: Simulation
     assert error[t > 8].mean() < 0.040
 
 
+@pytest.mark.long
 def test_one_camera_covered(sim: Simulation) -> None:
     def edit(m: Message) -> Message:
         hide = isinstance(m, BlobFrame) and 4 < m.t < 6
@@ -182,6 +185,7 @@ def test_one_camera_covered(sim: Simulation) -> None:
     assert error[times(estimates) > 4].mean() < 0.010
 
 
+@pytest.mark.long
 def test_a_hand_out_of_view_is_lost_and_found_again(sim: Simulation) -> None:
     def edit(m: Message) -> Message | None:
         return None if isinstance(m, BlobFrame) and 3 < m.t < 6 else m
@@ -244,6 +248,7 @@ def test_markers_on_the_fingertips_help(
     assert means[0] < 0.9 * means[1]
 
 
+@pytest.mark.long
 def test_late_images_are_waited_for(sim: Simulation) -> None:
     """An overloaded computer delivers images 200 ms late; the filter must not get ahead of them."""
     late = sorted(

@@ -123,6 +123,7 @@ def test_nothing_false_is_measured_beside_other_things_of_the_gloves_colour(
                 assert state == seen[tip]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("bent", [(60.0, 80.0), (95.0, 100.0), (80.0, 90.0)])
 def test_a_shadow_near_the_hand_is_not_a_finger(
     hand: HandModel, glove: GloveModel, bent: tuple[float, float]
@@ -141,6 +142,7 @@ def test_a_shadow_near_the_hand_is_not_a_finger(
     assert state == int(Validity.MEASURED) and off < 0.01 and off < 3 * sd
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("bent", [(60.0, 80.0), (95.0, 100.0)])
 def test_a_bar_in_place_of_a_finger_is_longer_than_one(
     hand: HandModel, glove: GloveModel, bent: tuple[float, float]
@@ -219,6 +221,7 @@ def with_cloth(sim: Simulation, frame: BlobFrame) -> BlobFrame:
     return replace(frame, left=left, right=right)
 
 
+@pytest.mark.long
 def test_an_engine_measures_them_unless_it_is_set_not_to(
     hand: HandModel, glove: GloveModel
 ) -> None:

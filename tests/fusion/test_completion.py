@@ -33,6 +33,7 @@ def test_equals_the_plain_form(hand: HandModel, glove: GloveModel) -> None:
     assert np.allclose(R_all, R_expected, atol=1e-9) and np.allclose(p_all, p_expected, atol=1e-9)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("engine", ["chain", "vist"])
 def test_fingers_without_sensors_and_synergies_follow_their_neighbours(
     hand: HandModel, glove: GloveModel, engine: str

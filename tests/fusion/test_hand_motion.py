@@ -90,6 +90,7 @@ def test_velocities_match_the_hand_within_their_standard_deviations(
         assert error < 4 * rms(column("angle_sd", j))
 
 
+@pytest.mark.long
 def test_unsensed_parts_are_less_certain(sim: Simulation) -> None:
     motion = tracked(sim, "chain")[-1].motion
     assert isinstance(motion, Motion)
@@ -100,6 +101,7 @@ def test_unsensed_parts_are_less_certain(sim: Simulation) -> None:
     assert linear["little_tip"] > linear["little_mcp"] > 0
 
 
+@pytest.mark.long
 def test_a_finger_with_an_invalid_imu_moves_with_its_parent(sim: Simulation) -> None:
     """The middle finger's first IMU fails: it rotates with the dorsum, with a large sd."""
     pipeline, j = (

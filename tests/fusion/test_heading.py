@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
@@ -19,6 +20,7 @@ def heading(R: np.ndarray) -> float:
     return float(np.arctan2(R[1, 0] - R[0, 1], R[0, 0] + R[1, 1]))
 
 
+@pytest.mark.long
 def test_without_images_the_heading_error_matches_its_sd(
     hand: HandModel, glove: GloveModel
 ) -> None:

@@ -36,6 +36,7 @@ def test_follows_the_fingers_by_their_imus_alone(sim: Simulation, engine: str) -
     assert state["middle_pip_flexion"] == Validity.MEASURED
 
 
+@pytest.mark.long
 def test_resumes_identically_from_a_saved_state(sim: Simulation) -> None:
     messages = list(sim.feed())
     first = Pipeline(sim.hand, sim.glove, sim.rig, Settings(engine="switching"))

@@ -37,6 +37,7 @@ def estimates(sim: Simulation) -> list[Estimate]:
     return [pipeline.feed_imu(sample) for sample in sim.imu_samples()]
 
 
+@pytest.mark.long
 def test_orientation_and_posture_match_the_true_hand(
     sim: Simulation, estimates: list[Estimate]
 ) -> None:

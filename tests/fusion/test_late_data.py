@@ -187,6 +187,7 @@ def test_the_sd_of_a_propagated_state_grows(
         assert not np.any(measured & (e.keypoint_sd > 0.017))
 
 
+@pytest.mark.long
 @pytest.mark.data
 def test_the_demo_of_an_overloaded_computer(data_folder: Path) -> None:
     """Recorded live: images up to 1.2 s late, packets in bursts up to 1.5 s late, none lost."""

@@ -94,6 +94,7 @@ def sd_of_sensed_digits(glove, hand, estimate) -> float:
     return float(np.nanmean(estimate.keypoint_sd[rows]))
 
 
+@pytest.mark.long
 def test_the_second_camera_removes_the_uncertainty(hand, glove) -> None:
     pipeline, shown, errors = run(simulation(hand, glove, 4, 8.0), "right", until=3.0)
     assert sd_of_sensed_digits(glove, hand, shown[25]) > 0.008
@@ -153,6 +154,7 @@ def test_a_hand_with_few_matches_is_not_measured_while_most_blobs_are_unmatched(
     assert max(measured_after(hand, glove, 12, 5.2), default=0.0) < 0.05
 
 
+@pytest.mark.long
 def test_a_small_hand_mistaken_for_a_distant_one_is_not_measured_beyond_5_cm(hand, glove) -> None:
     """A hand 8 % shorter than the file's, 42 cm away, plus the error of a start: it was called
     measured and 6 cm wrong for 0.9 s; another, 10 % shorter, for 1.7 s. At a smaller distance the

@@ -176,6 +176,7 @@ def test_delays_count_from_the_middle_row_of_the_image_as_recorded() -> None:
     assert not lost.any()
 
 
+@pytest.mark.long
 def test_a_hand_found_twice_keeps_a_proper_covariance(
     hand: HandModel, glove: GloveModel, monkeypatch: pytest.MonkeyPatch
 ) -> None:

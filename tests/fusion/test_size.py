@@ -84,6 +84,7 @@ def test_a_profile_learned_with_one_camera_keeps_the_size_uncertain(hand, glove,
     assert engine.wearer.calibration.known_size_sd > 0.045
 
 
+@pytest.mark.long
 def test_postures_seen_by_one_camera_leave_the_size(
     hand: HandModel, glove: GloveModel, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -143,6 +143,7 @@ def test_a_waiting_process_is_replaced_after_its_end_and_ends_with_the_window():
     assert reserve._started is None
 
 
+@pytest.mark.long
 def test_a_source_is_opened_although_the_waiting_process_has_ended(connect):
     """And where none was waiting."""
     reserve, source = Reserve(), Scripted(scripted_setup(Subscribed()))

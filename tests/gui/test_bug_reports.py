@@ -26,6 +26,8 @@ from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.session.reader import SessionReader
 from tracker.session.writer import RecorderParams, SessionRecorder
 
+pytestmark = pytest.mark.long
+
 CRASHING = """
 import faulthandler, sys
 from pathlib import Path
@@ -172,7 +174,6 @@ def session_file(tmp_path_factory):
     return path
 
 
-@pytest.mark.long
 def test_the_excerpt_is_the_last_seconds_without_names(session_file, tmp_path):
     cut_tail(session_file, tmp_path / "cut.mcap", 10.0, images=False, personal=False)
     with SessionReader(tmp_path / "cut.mcap") as cut, SessionReader(session_file) as whole:

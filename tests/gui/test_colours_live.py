@@ -93,6 +93,7 @@ def test_the_banner_reports_unsuitable_colours_and_leads_to_a_fit(window, engine
     assert not window.messages.isVisible()
 
 
+@pytest.mark.long
 def test_a_start_that_finds_no_hand_fits_automatically_in_the_background(window, qtbot):
     """The panel is hidden; a rejected automatic fit is not reported."""
     searching = ScriptedEngine(tracking=Tracking.SEARCHING)
@@ -120,6 +121,7 @@ def test_colours_are_not_fitted_automatically_to_a_glove_of_the_other_hand(windo
     assert "Fitting the colours" not in [job.title for job in window.tasks.tasks]
 
 
+@pytest.mark.long
 def test_an_automatic_fit_fails_silently() -> None:
     live = gathered(ENOUGH)
     live.ask()

@@ -312,6 +312,7 @@ def test_a_stored_image_is_searched_in_the_background(colours, held, qtbot):
     qtbot.waitUntil(lambda: colours.ranges.hues.chips[0].text() == count)
 
 
+@pytest.mark.long
 def test_a_replay_is_searched_with_the_tuned_colours(colours, qtbot):
     """Its recorded blobs were found with other colours, or there are none."""
     colours.tuning.setup = dataclasses.replace(colours.tuning.setup, player=SimpleNamespace())
@@ -343,6 +344,7 @@ def test_a_replay_faster_than_searches_shows_results(colours, engine, qtbot, mon
     qtbot.waitUntil(lambda: len(found) == 2)  # the first one's, and the newest's
 
 
+@pytest.mark.long
 def test_only_the_newest_profile_is_used_and_shown(colours, held, qtbot):
     answers = []
     colours.image.changed.connect(

@@ -78,6 +78,7 @@ def test_the_list_is_sorted_by_the_columns_values(review):
     assert lengths == sorted(lengths, reverse=True)
 
 
+@pytest.mark.long
 def test_a_filter_lists_one_kind_and_the_timeline_marks_the_listed_ones(review):
     page, timeline = review.library.gaps.page, review.library.transport.timeline
     everything = page.table.rowCount()

@@ -134,6 +134,7 @@ def test_two_units_have_two_axes_and_a_third_is_rejected(graphs):
     assert not plot.plot.plot.getAxis("right").isVisible()
 
 
+@pytest.mark.long
 def test_norms_and_speeds_are_those_of_the_messages(graphs, engine):
     tip = "right/hand/point/index_tip/"
     plot, other = show(graphs, ("right/imu/dorsum/accel/norm",), (tip + "speed",))

@@ -267,6 +267,7 @@ def finished(guided, clock, engine, qtbot) -> None:
     qtbot.waitUntil(lambda: guided.outcome.store_button.isEnabled())
 
 
+@pytest.mark.long
 def test_learned_parameters_are_reported_as_text_and_figures(guided, clock, engine, qtbot):
     finished(guided, clock, engine, qtbot)
     words = guided.outcome.words.text()
@@ -287,6 +288,7 @@ def test_learned_parameters_are_reported_as_text_and_figures(guided, clock, engi
     assert table.item(row, 3).text() == "▲ +20.0°"
 
 
+@pytest.mark.long
 def test_undo_reverts_what_the_poses_have_taught(guided, clock, engine, qtbot):
     before = engine.inner.wearer.synergies[0].copy()
     finished(guided, clock, engine, qtbot)
@@ -296,6 +298,7 @@ def test_undo_reverts_what_the_poses_have_taught(guided, clock, engine, qtbot):
     assert not guided.isVisible()
 
 
+@pytest.mark.long
 def test_kept_results_remain_in_the_engine(guided, clock, engine, qtbot):
     finished(guided, clock, engine, qtbot)
     taught = engine.inner.wearer.synergies[0].copy()
@@ -316,6 +319,7 @@ def test_kept_results_are_saved_in_the_selected_wearers_profile(
     qtbot.waitUntil(lambda: file.read_text("utf-8") != before)
 
 
+@pytest.mark.long
 def test_kept_results_of_a_new_wearer_are_offered_to_be_saved(guided, window, clock, engine, qtbot):
     finished(guided, clock, engine, qtbot)
     guided.outcome.store_button.click()
@@ -353,6 +357,7 @@ def rows_of(dialog) -> dict[str, list[str]]:
     return {what: rest for what, *rest in texts}
 
 
+@pytest.mark.long
 def test_an_insignificant_change_is_not_reported(guided, clock, engine, qtbot):
     guided.start()
     qtbot.waitUntil(lambda: guided._before is not None)
@@ -364,6 +369,7 @@ def test_an_insignificant_change_is_not_reported(guided, clock, engine, qtbot):
     assert rows_of(guided)["End joint of the index finger, bent"][2] == "+6.0°"
 
 
+@pytest.mark.long
 def test_no_result_is_reported_for_fingers_without_sensors(guided, clock, engine, qtbot):
     """They bend like index and middle finger, and are not measured."""
     finished(guided, clock, engine, qtbot)
@@ -456,6 +462,7 @@ def test_a_frozen_calibration_reports_that_poses_have_no_effect(guided, clock, e
     qtbot.waitUntil(lambda: guided._before is not None)
 
 
+@pytest.mark.long
 def test_repeating_and_ending_at_once_still_shows_the_earlier_result(guided, clock, engine, qtbot):
     finished(guided, clock, engine, qtbot)
     guided.outcome.again_button.click()
@@ -482,6 +489,7 @@ def both(window, clock, qtbot, monkeypatch):
     return dialog, right, left
 
 
+@pytest.mark.long
 def test_with_two_hands_it_applies_to_the_one_it_was_started_for(both, window, clock, qtbot):
     """Whichever the window shows by the time the poses are held, kept or undone."""
     dialog, right, left = both

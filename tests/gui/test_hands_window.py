@@ -26,6 +26,8 @@ from tracker.session.reader import SessionReader
 from tracker.session.verify import is_ok, verify
 from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove
 
+pytestmark = pytest.mark.long
+
 BOUND = {
     11: BoundGlove("right", "vist-small", "reference-right"),
     22: BoundGlove("left", "vist-small-left", "reference-left"),
@@ -60,7 +62,6 @@ def known(hand, since: float) -> bool:
     return t is not None and t.t - start > since and hand.frame is not None
 
 
-@pytest.mark.long
 def test_a_session_of_both_is_shown_completely(replay, qtbot):
     left, right = looks(replay)
     assert [left.setup.side, right.setup.side] == ["left", "right"]
@@ -86,7 +87,6 @@ def test_a_session_of_both_is_shown_completely(replay, qtbot):
     assert replay.bar.other_hand.text().startswith("Left: ")
 
 
-@pytest.mark.long
 def test_panels_of_one_hand_show_the_selected_one(replay, qtbot):
     assert replay.host.setup.side == "right"
     replay.run_command("hand_left")
@@ -102,7 +102,6 @@ def test_panels_of_one_hand_show_the_selected_one(replay, qtbot):
 ONE_HAND_PANELS = ("sensors", "motion", "calibration", "checklist", "applications", "robot")
 
 
-@pytest.mark.long
 @pytest.mark.parametrize("name", ONE_HAND_PANELS)
 def test_a_panel_of_one_hand_names_it_and_can_switch(replay, qtbot, name):
     replay.show_panel(name)
@@ -192,7 +191,6 @@ def log_count(window, text: str) -> int:
     return sum(text in item for item in items)
 
 
-@pytest.mark.long
 def test_gloves_are_unplugged_and_plugged_in_any_order(window, qtbot, gloves, two_gloves, tmp_path):
     opened(window, qtbot)
     sides = {hand.setup.connection.number: hand.setup.side for hand in looks(window)}

@@ -103,6 +103,7 @@ def test_both_are_found_and_the_list_follows(connected, qtbot, device):
     qtbot.waitUntil(lambda: _done(connected, "Measured at rest"))
 
 
+@pytest.mark.long
 def test_an_unplugged_glove_is_logged(connected, qtbot, device):
     device.unplug()
 
@@ -123,6 +124,7 @@ def glove_alone(window, qtbot, store, device, monkeypatch):
     return window
 
 
+@pytest.mark.long
 def test_a_glove_without_a_camera_is_shown_by_its_imus(glove_alone, qtbot):
     window = glove_alone
     qtbot.waitUntil(lambda: window.hand._scene is not None)
@@ -155,6 +157,7 @@ def test_a_glove_alone_is_recorded_and_replayed(glove_alone, qtbot, tmp_path):
     assert len(window.host.snapshot().imu) > 0
 
 
+@pytest.mark.long
 def test_one_webcam_is_a_complete_rig(window, qtbot, store, tmp_path, device):
     """Its image is not wide enough for two; its calibration is of one camera."""
     path, rig = tmp_path / "webcam.avi", extrinsics_of(simulation().rig)
@@ -176,6 +179,7 @@ def test_one_webcam_is_a_complete_rig(window, qtbot, store, tmp_path, device):
     assert not window.cameras.left.isHidden()
 
 
+@pytest.mark.long
 def test_a_camera_without_glove_or_calibration_gives_its_images(window, qtbot, store, film):
     store.update(port="", camera=str(film), calibration="")
     window.sources.open_devices()
@@ -190,6 +194,7 @@ def test_a_camera_without_glove_or_calibration_gives_its_images(window, qtbot, s
     )
 
 
+@pytest.mark.long
 def test_a_device_that_disappears_changes_its_row_within_a_second(connected, qtbot, device):
     qtbot.waitUntil(lambda: _done(connected, "All IMUs respond"))
     device.unplug()
@@ -208,6 +213,7 @@ def test_a_device_that_disappears_changes_its_row_within_a_second(connected, qtb
     assert {s.look for s in states} == {IDLE}, "no green dot of an IMU that is gone"
 
 
+@pytest.mark.long
 def test_stop_clears_live_data(connected, qtbot):
     qtbot.waitUntil(lambda: connected.host.snapshot().frame is not None)
     connected.host.stop()
@@ -226,6 +232,7 @@ def test_the_board_wizard_accepts_an_uncalibrated_camera(window, qtbot, store, f
     assert in_use.make(BoardSpec()).read()[0].shape == (720, 1280, 3)
 
 
+@pytest.mark.long
 def test_a_camera_that_does_not_match_is_shown_and_calibrated(window, qtbot, store, film, tmp_path):
     """With the calibration of another one it could neither be displayed nor calibrated."""
     path = tmp_path / "small.yml"
@@ -247,6 +254,7 @@ def test_a_camera_that_does_not_match_is_shown_and_calibrated(window, qtbot, sto
     assert why in dialog.arriving.text() and dialog.images[0]._array is not None
 
 
+@pytest.mark.long
 def test_the_board_wizard_offers_no_camera_in_use_where_there_is_none(glove_alone, store):
     titles = [c.title for c in image_choices(glove_alone.host, store.value, [])]
     assert titles == ["Simulated board (demo)"]

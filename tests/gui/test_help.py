@@ -75,6 +75,7 @@ def test_a_chip_without_space_is_elided_at_a_letter(qtbot):
     assert label.shown() == label.text()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("placed", "values", "words"),
     [

@@ -96,6 +96,7 @@ def test_the_positions_give_the_errors_of_the_simulated_imus(dialog, engine, win
         assert np.abs(imu.axes.gyro @ known.gyro_matrix[j] - left).max() < 0.012
 
 
+@pytest.mark.long
 def test_positions_are_recognized_in_any_order_and_closing_changes_nothing(
     dialog, engine, window, qtbot
 ):

@@ -94,6 +94,7 @@ def test_a_row_shows_length_integrity_and_quality(library, qtbot):
     assert not library.buttons["recover"].isEnabled()
 
 
+@pytest.mark.long
 def test_the_timeline_is_dragged_and_stepped(replayed, window, qtbot):
     line, player = replayed.transport.timeline, window.host.setup.player
     y = int(line.height() * 0.3)

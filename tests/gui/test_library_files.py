@@ -74,11 +74,13 @@ def answer(window, text: str) -> None:
     dialog.accept()
 
 
+@pytest.mark.long
 def test_the_library_is_filled_when_it_is_first_shown(library):
     assert shown(library) == set(NAMES)
     assert all(library.table.columnWidth(i) >= 48 for i in range(library.table.columnCount()))
 
 
+@pytest.mark.long
 def test_a_search_lists_sessions_with_all_its_words(library, qtbot):
     library.page.search.setFocus()
     qtbot.keyClicks(library.page.search, "pinch p01")

@@ -15,6 +15,8 @@ from tracker.calibration.light_meter import Advice, LightMeter
 from tracker.glove import library
 from tracker.vision.colours import parse_profile
 
+pytestmark = pytest.mark.long
+
 PROFILE = parse_profile(library.text("colours", library.DEFAULT_COLOURS))
 GREY = np.full((120, 160, 3), 120, np.uint8)
 

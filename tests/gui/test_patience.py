@@ -12,6 +12,8 @@ from app.platform.tasks import TaskOwner
 from tests.gui import jobs_here, patience
 from tracker.base.child import start_child
 
+pytestmark = pytest.mark.long
+
 
 def work(pipe) -> None:
     """Uses the processor for a second, then answers."""

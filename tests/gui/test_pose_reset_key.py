@@ -68,6 +68,7 @@ def test_the_key_counts_down_and_resets_both_hands(both, qtbot, resets):
     assert not overlay(both).isVisible()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("key", [Qt.Key.Key_Escape, Qt.Key.Key_R])
 def test_escape_or_the_key_again_cancels_it(both, qtbot, resets, key):
     timer = both.pose_reset._timer

@@ -69,6 +69,7 @@ def followed(tmp_path):
     return path
 
 
+@pytest.mark.long
 def test_the_panel_shows_the_colours_of_the_displayed_time_and_keeps_the_users(
     window, followed, qtbot
 ):

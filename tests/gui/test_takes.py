@@ -244,6 +244,7 @@ def both_taken(tmp_path_factory) -> Path:
     return path
 
 
+@pytest.mark.long
 def test_a_recording_of_both_hands_reports_each_and_all_lost_packets(both_taken):
     report = check_job(both_taken)(lambda *_: None)
     left, right = report.hands
@@ -373,6 +374,7 @@ def test_a_full_disk_is_named_beside_how_the_recording_is(recorded, qtbot, monke
     assert "is complete" in recorded.banner.text()
 
 
+@pytest.mark.long
 def test_it_is_renamed_and_shown_from_there(recorded, qtbot):
     [path] = recorded.plan.folder.glob("*.mcap")
     button(recorded, "Rename").click()
@@ -405,6 +407,7 @@ def test_a_name_that_is_taken_leaves_both_files(tmp_path):
     assert rename(first, "c.mcap").read_text() == "1"
 
 
+@pytest.mark.long
 def test_a_file_cut_off_is_not_called_whole(take, tmp_path):
     cut = tmp_path / "cut.mcap"
     cut.write_bytes(take.read_bytes()[: take.stat().st_size * 2 // 3])
@@ -416,6 +419,7 @@ def test_a_file_cut_off_is_not_called_whole(take, tmp_path):
     )
 
 
+@pytest.mark.long
 def test_a_recording_that_its_disk_cut_off_is_recovered_from_its_message(
     recorded, take, tmp_path, qtbot
 ):

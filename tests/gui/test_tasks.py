@@ -86,6 +86,7 @@ def test_a_crash_of_the_subprocess_is_reported_by_its_name():
         run_in_subprocess("work", _crash, JobProgress(lambda *_: None))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("work", "words"), [(_refuse, "disk is full"), (_vanish, "ended unexpectedly")]
 )

@@ -132,6 +132,7 @@ def test_a_space_that_is_on_no_scale_is_noticed():
     assert bare_measures("row.setContentsMargins(0, NEAR, 0, 0)") == []
 
 
+@pytest.mark.long
 def test_spaces_and_type_sizes_are_those_of_the_scale():
     paths = [*(ROOT / "app").rglob("*.py")]
     found = {p.name: bare_measures(p.read_text("utf-8")) for p in paths}

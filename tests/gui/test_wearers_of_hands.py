@@ -77,6 +77,7 @@ def offered(window) -> list[str]:
     return [choice.itemText(i) for i in range(1, choice.count())]
 
 
+@pytest.mark.long
 def test_the_demo_has_wearers_of_its_own(window, qtbot, open_hand, store):
     row = window.calibration.wearer
     assert save(window, qtbot, open_hand("right"), "Anna", 1.04) == "Anna"
@@ -112,6 +113,7 @@ def test_left_and_right_gloves_used_in_turn_keep_their_wearers(window, qtbot, op
     assert not window.banner.isVisible()
 
 
+@pytest.mark.long
 def test_both_hands_of_the_demo_start_with_their_own_wearers(window, qtbot, open_hand):
     save(window, qtbot, open_hand("right"), "Anna", 1.04)
     save(window, qtbot, open_hand("right", simulated=True), "Simulated", 0.97)

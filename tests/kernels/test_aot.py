@@ -19,6 +19,8 @@ from numba import types
 
 from tracker.kernels import aot, target, toolchain
 
+pytestmark = pytest.mark.long
+
 TINY = 1e-17
 VECTOR = types.Array(types.float64, 1, "C")
 
@@ -92,7 +94,6 @@ def compiled(tmp_path_factory):
     return made
 
 
-@pytest.mark.long
 def test_each_function_keeps_its_own_options(compiled):
     assert compiled.exact(TINY) == compiled.exact_again(TINY) == 0.0
     assert compiled.fast(TINY) == TINY

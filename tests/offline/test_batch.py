@@ -46,6 +46,7 @@ def test_one_file_is_written_to_a_file_or_into_a_folder(folder: Path, tmp_path: 
     assert plan([folder / "a.mcap"], tmp_path)[0].out == tmp_path / "a.mcap"
 
 
+@pytest.mark.long
 def test_a_folder_keeps_its_structure(folder: Path, tmp_path: Path) -> None:
     assert names(plan([folder], tmp_path), tmp_path) == ["a.mcap", "c.mcap", "monday/b.mcap"]
 
@@ -90,6 +91,7 @@ def test_parallel_processes_give_identical_results(
     assert not (out / "c.mcap").exists()
 
 
+@pytest.mark.long
 def test_nothing_is_overwritten(folder: Path, tmp_path: Path) -> None:
     precious = tmp_path / "a.mcap"
     precious.write_text("precious")

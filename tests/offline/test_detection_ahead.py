@@ -50,6 +50,7 @@ def test_the_number_of_threads_has_no_effect(session: Path) -> None:
         assert same(a.left, b.left) and same(a.right, b.right)
 
 
+@pytest.mark.long
 def test_the_queue_of_images_is_limited(session: Path) -> None:
     read = 0
 

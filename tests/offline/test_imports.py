@@ -82,6 +82,7 @@ def test_seconds_of_newer_files_and_a_file_for_the_only_imu(tmp_path: Path) -> N
     assert found.stamp_ns[-1] == pytest.approx(1_700_000_059 * 10**9, abs=10**6)
 
 
+@pytest.mark.long
 def test_our_exports_are_imported_without_loss(tmp_path: Path) -> None:
     """All sensors and all three clocks."""
     simulate(tmp_path / "in.mcap", SimulateOptions(images=False, duration=2.0))
@@ -245,6 +246,7 @@ def test_a_recording_of_a_real_imu_agrees_with_its_cameras(data: Path, tmp_path:
     assert np.degrees(np.sqrt(np.mean(off**2))) < 2.0
 
 
+@pytest.mark.long
 def test_imus_of_a_whole_body_are_selected_by_name(data: Path, tmp_path: Path) -> None:
     path = data / "qmt_fullbody_imu" / "full_body_example_data.mat"
     with pytest.raises(ConfigError, match="hand_right"):

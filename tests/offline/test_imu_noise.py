@@ -122,6 +122,7 @@ def test_the_command_writes_figures_curves_and_a_glove_file(
             other.write_bytes(data)
 
 
+@pytest.mark.long
 def test_a_glove_file_without_a_target_is_wrong_usage(session: Path, tmp_path: Path) -> None:
     with pytest.raises(SystemExit, match="2"):
         main(["imu-noise", str(session), "--glove", str(tmp_path / "x.toml")])

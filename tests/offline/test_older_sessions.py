@@ -24,6 +24,8 @@ from tracker.session.reader import SessionReader
 from tracker.session.writer import SessionRecorder
 from tracker.simulation.scenario import Simulation
 
+pytestmark = pytest.mark.long
+
 BEGIN = 0.8  # s
 OLD = "[chain.constraint]\nthumb_abduction = 0.3\n[warp]\nspeed = 9\n"
 
@@ -56,7 +58,6 @@ def recorded(path: Path, settings: str, version: str = __version__, state: bool 
     return path
 
 
-@pytest.mark.long
 def test_obsolete_settings_are_named_and_the_others_used(tmp_path: Path) -> None:
     changed = to_toml(replace(Settings(), engine="vist")) + OLD.replace("[chain.", "[old.")
     old = recorded(tmp_path / "old.mcap", changed)
@@ -73,7 +74,6 @@ def test_obsolete_settings_are_named_and_the_others_used(tmp_path: Path) -> None
     assert compare(tmp_path / "a.mcap", tmp_path / "b.mcap")["identical"]
 
 
-@pytest.mark.long
 def test_recorded_streams_have_no_effect(tmp_path: Path) -> None:
     """Settings contained the live streams until version 0.1.0."""
     streams = '[streams]\nudp = true\nhost = "10.0.0.2"\nlsl_network = false\njoints = "own"\n'
@@ -110,7 +110,6 @@ def test_the_command_line_tracks_them_and_accepts_other_settings(tmp_path: Path,
     assert shows(capsys.readouterr().err, "toml.setting")
 
 
-@pytest.mark.long
 @pytest.mark.parametrize(
     ("settings", "last", "more"),
     [('engine = "kalman_9"\n', "engine", 0), ("[chain]\nwarp = nan\n", "chain.warp", 0),
@@ -140,7 +139,6 @@ def test_a_state_of_another_version_is_reported_as_not_used(tmp_path: Path) -> N
     assert track(new, tmp_path / "b.mcap").notices == []
 
 
-@pytest.mark.long
 def test_a_state_of_the_last_version_is_continued(tmp_path: Path) -> None:
     """Bit for bit as this version's, with a note that the versions' results may differ."""
     runs = {}
@@ -165,7 +163,6 @@ def test_a_real_session_of_an_older_version_is_tracked(data_folder: Path, tmp_pa
     assert report.estimates > 600 and report.error_mm["mean"] < 40
 
 
-@pytest.mark.long
 @pytest.mark.parametrize("lenses", ["none", "0"])
 def test_a_session_without_a_camera_is_tracked_by_inertial(tmp_path: Path, lenses: str) -> None:
     source = tmp_path / "in.mcap"
@@ -177,7 +174,6 @@ def test_a_session_without_a_camera_is_tracked_by_inertial(tmp_path: Path, lense
     assert report.error_deg is not None and 0.5 < report.error_deg < 15
 
 
-@pytest.mark.long
 def test_angles_are_evaluated_wherever_the_truth_is_known(tmp_path: Path, capsys) -> None:
     simulate(tmp_path / "in.mcap", SimulateOptions(seed=2, duration=3.0, fps=30, images=False))
     done = tmp_path / "a.json"

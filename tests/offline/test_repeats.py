@@ -91,6 +91,7 @@ def test_repeated_packets_change_no_estimate(session: Path, tmp_path: Path) -> N
     assert not [f for f in verify(tmp_path / "again.mcap") if f.what.code == "check.repeated"]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("twice", [each_message, each_packet])
 def test_verify_reports_repeated_packets(session: Path, tmp_path: Path, twice: Twice) -> None:
     doubled = tmp_path / "doubled.mcap"

@@ -70,6 +70,7 @@ def test_the_same_bits_from_the_first_packet_on(recorded: Path, tmp_path: Path) 
     assert compare(recorded, tmp_path / "b.mcap")["identical"]
 
 
+@pytest.mark.long
 def test_a_recovered_recording_has_its_state(recorded: Path, tmp_path: Path) -> None:
     data = recorded.read_bytes()
     cut = tmp_path / "cut.mcap"
@@ -158,6 +159,7 @@ def unsearched(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
+@pytest.mark.long
 def test_images_that_were_not_searched_live_are_not_searched_again(
     unsearched: Path, tmp_path: Path
 ) -> None:

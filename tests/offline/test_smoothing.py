@@ -139,6 +139,7 @@ def test_it_is_more_accurate_than_live_and_continuous(
     assert steps(after) < 0.5 * steps(before)
 
 
+@pytest.mark.long
 def test_only_chain_can_be_smoothed(
     tmp_path: Path, record_short: Callable[[Path], Path], capsys: pytest.CaptureFixture[str]
 ) -> None:

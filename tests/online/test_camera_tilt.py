@@ -69,6 +69,7 @@ def test_tilt_follows_the_head_within_a_degree():
     assert np.mean(errors[-2000:]) < 1.0
 
 
+@pytest.mark.long
 def test_heading_starts_as_in_the_file_and_rotates_with_the_head():
     """The initial difference, the sway at that time, remains to the end."""
     head, samples = swaying(NO_ERRORS)

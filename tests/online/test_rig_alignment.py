@@ -72,6 +72,7 @@ def test_a_turned_camera_is_measured_reported_once_and_corrected() -> None:
     assert [n.code for n in alignment.notices.drain()] == ["camera.calibrate_again"]
 
 
+@pytest.mark.long
 def test_a_large_shift_is_reported_by_one_notice_until_it_is_gone(hand, glove) -> None:
     """The row watch and the alignment both measure it."""
     motion = RandomPostures(hand, 7, duration=5.0)

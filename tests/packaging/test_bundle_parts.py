@@ -55,6 +55,7 @@ def test_libraries_within_wheels_are_checked_too(tmp_path: Path) -> None:
     assert licences.refused(found) == ["libavutil-3c.so: GPL version 3 or later"]
 
 
+@pytest.mark.long
 def test_parts_are_found_by_the_files_they_own(tmp_path: Path) -> None:
     """The lists as written by PyInstaller: a file of numpy's and an unknown one."""
     import numpy as np

@@ -51,6 +51,7 @@ def folder(site: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Itera
     sys.modules.pop("glovetrack_folder_camera", None)
 
 
+@pytest.mark.long
 def test_its_camera_is_listed_and_gives_images(folder: Path) -> None:
     (camera,) = [c for c in all_cameras() if c.path.startswith("folder://")]
     assert camera.name == f"Folder {folder.name}"

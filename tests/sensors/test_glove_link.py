@@ -177,6 +177,7 @@ def test_bunched_bytes_keep_their_times(tmp_path: Path) -> None:
     bench.close()
 
 
+@pytest.mark.long
 def test_motors_may_be_driven_from_another_thread_while_unplugging() -> None:
     """Frames are never interleaved, and a write to a missing port means an unplugged glove."""
 

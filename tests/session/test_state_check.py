@@ -73,6 +73,7 @@ def test_parts_in_lists_and_optional_parts_are_checked(
     assert "keyframes.kept[0].uv" in str(mismatch(state, fresh))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("part", "value", "why"),
     [

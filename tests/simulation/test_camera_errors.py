@@ -27,6 +27,7 @@ def has_errors(true: StereoRig, rig: StereoRig, readout: float) -> bool:
     return bool(rig.left.D.any() and rig.readout == pytest.approx(readout, abs=1e-6) and off > 1e-3)
 
 
+@pytest.mark.long
 def test_simulated_sessions_demos_and_rigs_have_a_real_camera() -> None:
     simulated, _ = build(SimulateOptions(duration=2.0))
     demo = build_scene(DemoSpec(*TEXTS))

@@ -64,6 +64,7 @@ def test_known_motion_is_recovered_from_its_points(
     assert found.R_GB[0, 2, 2] > 0.9  # up is preserved
 
 
+@pytest.mark.long
 def test_gaps_are_filled(hand: HandModel, known: RandomPostures, tmp_path: Path) -> None:
     t = np.arange(0, 8, 0.01)
     points = _keypoints(hand, known, t)

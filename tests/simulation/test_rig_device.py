@@ -140,6 +140,7 @@ def test_a_board_is_shown_and_removed_by_commands(both: SimulatedRig) -> None:
     assert both.execute("hand") == "The hand is before the camera."
 
 
+@pytest.mark.long
 def test_a_held_board_is_still_and_then_moves() -> None:
     board, spec = HeldBoard(ideal_rig(), seed=2), BoardSpec()
     first, again, later = (board.pair(t, k) for k, t in enumerate((0.0, 0.3, 1.0)))

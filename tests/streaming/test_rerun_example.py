@@ -40,6 +40,7 @@ def rows(path: Path) -> dict[str, list[Any]]:
     return found
 
 
+@pytest.mark.long
 def test_rerun_reads_the_recorded_hand_that_was_streamed(
     recorded: RecordedHand, tmp_path: Path
 ) -> None:

@@ -44,6 +44,7 @@ def datagrams(client: socket.socket) -> list[dict]:
             return out
 
 
+@pytest.mark.long
 def test_a_client_receives_the_recorded_states(hand: HandModel, glove: GloveModel) -> None:
     sim = Simulation(hand, glove, RandomPostures(hand, 1, duration=1.0), 1, fps=30)
     names, tape = Names.of(hand, glove), Tape()

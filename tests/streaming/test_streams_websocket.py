@@ -67,6 +67,7 @@ def test_connections_are_not_logged(server, wait_for, caplog) -> None:
     assert [r.message for r in caplog.records if "client" not in r.name] == []
 
 
+@pytest.mark.long
 def test_a_client_that_does_not_read_delays_no_one(server, make_estimate, wait_for) -> None:
     with contextlib.closing(bare_client(server)), connect(url(server)) as healthy:
         wait_for(lambda: server.clients == 2)

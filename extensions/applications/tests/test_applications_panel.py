@@ -116,6 +116,7 @@ def test_the_chosen_application_is_drawn_and_its_events_are_reported(staged, qtb
         assert panel.result.text() == "sample 1"
 
 
+@pytest.mark.long
 def test_a_hand_without_an_application_is_and_stays_in_the_middle_of_the_view(staged):
     panel, stage, engine, _ = staged
     show(panel, stage, engine)
@@ -229,6 +230,7 @@ def test_settings_are_changed_in_the_form(staged):
     assert changed == ["size", "loud", "place"]
 
 
+@pytest.mark.long
 def test_the_running_application_moves_to_the_selected_hand(staged, window):
     panel, right, engine, reported = staged
     hand, glove = library.load("vist-small-left")

@@ -84,6 +84,7 @@ def judged(hand: HandModel, names: tuple[str, ...], shown: dict[str, Estimate]) 
     return {f.rule: f.status for f in found if f.rule in PINCHES}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("roll", [ABOVE, BELOW])
 def test_pinches_of_ring_and_little_finger_are_distinguished_by_the_cloth(
     hand: HandModel, glove: GloveModel, roll: float

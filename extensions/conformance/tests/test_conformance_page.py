@@ -188,6 +188,7 @@ def test_a_hand_that_stays_open_fails_in_the_steps_that_it_did_not_show(
     assert next(iter(rows)) in bad, "what is not kept comes first"
 
 
+@pytest.mark.long
 def test_cues_count_three_beats_and_then_hold(dialog, clock, engine):
     dialog.start()
     seen = []
@@ -205,6 +206,7 @@ def test_cues_count_three_beats_and_then_hold(dialog, clock, engine):
     assert "▶ fist" in dialog.lead.chips.text() and "✓ open" in dialog.lead.chips.text()
 
 
+@pytest.mark.long
 def test_the_take_is_a_recording_that_ends_with_the_dialog(dialog, window, clock, engine, tmp_path):
     dialog.start()
     through(dialog, clock, engine, until=8.0)
@@ -258,6 +260,7 @@ def test_the_drawn_hand_turns_from_side_to_side():
     assert apart.max() > 120
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("simulated", "words"), [(True, "do not follow"), (False, "First open")])
 def test_a_simulated_wearer_who_does_not_follow_is_reported(window, engine, simulated, words):
     setup = dataclasses.replace(scripted_setup(engine), simulated=simulated)

@@ -29,6 +29,8 @@ from tracker.hand.files import load_hand
 from tracker.hand.openxr import OpenXrHand, joint_radii, openxr_joints
 from tracker.simulation.gestures import Gestures, tip_distances
 
+pytestmark = pytest.mark.long
+
 SIDES = ("right", "left")
 HZ = 30
 
@@ -74,7 +76,6 @@ def failed(v: TakeVerdict) -> set[str]:
     return {f.rule for f in v.findings if f.status == "fail"}
 
 
-@pytest.mark.long
 @pytest.mark.parametrize("side", SIDES)
 def test_a_true_hand_that_follows_the_script_keeps_every_rule(scripted, side: str) -> None:
     v = verdict(scripted, side=side)
@@ -83,7 +84,6 @@ def test_a_true_hand_that_follows_the_script_keeps_every_rule(scripted, side: st
     assert {f.layer for f in v.findings} == {"signal", "shape", "placement", "steps"}
 
 
-@pytest.mark.long
 def test_a_pinch_of_the_simulator_touches_the_named_finger(scripted) -> None:
     for side in SIDES:
         hand = load_hand(RESOURCES / "hands" / f"reference-{side}.toml")
@@ -186,7 +186,6 @@ FAULTS = {
 }
 
 
-@pytest.mark.long
 @pytest.mark.parametrize("name", FAULTS)
 def test_a_fault_is_found_by_the_rule_that_is_for_it(scripted, name: str) -> None:
     change, rules = FAULTS[name]

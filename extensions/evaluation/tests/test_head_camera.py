@@ -53,5 +53,6 @@ def test_the_cameras_own_imu_serves_nearly_as_well_as_a_pose(with_a_pose):
     assert mean_error_mm("imu") < with_a_pose + 1.0
 
 
+@pytest.mark.long
 def test_without_either_it_is_worse(with_a_pose):
     assert not mean_error_mm("nothing") < with_a_pose + 1.0

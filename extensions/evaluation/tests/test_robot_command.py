@@ -33,6 +33,7 @@ def test_a_hand_that_stays_open_places_nothing() -> None:
     assert trial.lifted_mm < 20
 
 
+@pytest.mark.long
 def test_the_command_reports_the_distances_of_the_tips(capsys: pytest.CaptureFixture[str]) -> None:
     words = ["evaluate", "robot", "--trials", "0", "--people", "1", "--seconds", "3"]
     assert main([*words, "--json", "-"]) == 0

@@ -92,6 +92,7 @@ def test_ctrl_c_keeps_what_is_finished(monkeypatch, capsys, tmp_path):
     assert (tmp_path / "report.html").is_file()
 
 
+@pytest.mark.long
 def test_variants_have_a_table_and_a_figure_of_their_own(tmp_path):
     cases = cases_of(parse("--experiments", "free", "--ablations", "loose,camera-imu"))
     results = [(case, [a_trial(0), a_trial(1)]) for case in cases]
@@ -209,6 +210,7 @@ def test_guided_rows_are_listed_side_by_side():
     assert [c.is_led for c in cases] == [False, True, True, True, False, True]
 
 
+@pytest.mark.long
 def test_a_known_wearer_starts_with_the_profile_of_another_session(monkeypatch):
     """The same free motion with the same fitting of the glove: the wearer's bones are known."""
     monkeypatch.setattr("extensions.evaluation.vist.trial.FIRST_SESSION", 0.02)

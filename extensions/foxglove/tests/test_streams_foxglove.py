@@ -338,6 +338,7 @@ def test_invalid_requests_are_answered_and_the_client_stays(
     assert server.clients == 1
 
 
+@pytest.mark.long
 def test_a_slow_client_loses_the_oldest_and_delays_no_one(server, make_estimate, wait_for) -> None:
     """It wakes up after 1500 estimates, about 6 MB: far more than the buffers can contain."""
     with connected(server) as slow, connected(server) as quick:

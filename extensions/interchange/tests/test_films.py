@@ -52,6 +52,7 @@ def session(tmp_path: Path, about: SessionInfo, maker) -> Path:
     return path
 
 
+@pytest.mark.long
 def test_a_film_has_what_is_chosen_side_by_side(session: Path, about: SessionInfo) -> None:
     out = session.with_name("o.mp4")
     said = export(session, "mp4", out, ExportOptions(views=VIEWS))

@@ -165,6 +165,7 @@ def test_tasks_are_pandas_index(tmp_path: Path, record: Callable[..., Path], mov
     assert tasks.iloc[0].name == "Wave" and tasks.loc["Wave"].task_index == 0
 
 
+@pytest.mark.long
 def test_a_state_is_the_recorded_hand_in_openxrs_world(
     tmp_path: Path, recorded: RecordedHand
 ) -> None:

@@ -120,6 +120,7 @@ def test_markers_give_the_angles_within_a_degree(files: tuple[Path, Array], make
     assert np.abs(mine - mot).max() < 1.0
 
 
+@pytest.mark.long
 def test_imus_give_the_angles_between_them_within_two_degrees(
     files: tuple[Path, Array], maker
 ) -> None:

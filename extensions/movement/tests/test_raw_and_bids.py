@@ -121,6 +121,7 @@ def test_a_hole_is_part_of_the_duration(tmp_path: Path, record: Callable[..., Pa
         assert said[system]["SamplingFrequency"] == pytest.approx(100.0, rel=0.01)
 
 
+@pytest.mark.long
 def test_the_official_validator_finds_no_error(session: Session, tmp_path: Path) -> None:
     validator = shutil.which("bids-validator-deno", path=str(Path(sys.executable).parent))
     if validator is None:

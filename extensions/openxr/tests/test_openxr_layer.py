@@ -41,7 +41,10 @@ from tracker.hand.openxr import JOINTS, OpenXrHand, to_openxr
 from tracker.messages import Array, Estimate, Tracking, Validity
 from tracker.streaming.publisher import Names
 
-pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the test runtime is Linux's")
+pytestmark = [
+    pytest.mark.skipif(sys.platform != "linux", reason="the test runtime is Linux's"),
+    pytest.mark.long,
+]
 
 PLACED = WorldPlacement(Space.LOCAL, (0.1, -0.4, -0.3), 25.0, 0.05)
 STEP = 10_000_000  # ns between estimates
@@ -157,7 +160,6 @@ def assert_equal(found: dict, wanted: tuple[Array, Rotation], limit: float = LIM
 # --- poses
 
 
-@pytest.mark.long
 @pytest.mark.parametrize("loader", LOADERS)
 def test_the_application_reads_the_joints_that_are_sent(scene: Scene, program, loader: str) -> None:
     sent, application = program("left", "right"), scene.application(loader)

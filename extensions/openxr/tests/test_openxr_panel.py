@@ -111,6 +111,7 @@ def test_the_placement_is_what_the_stream_sends(
     qtbot.waitUntil(lambda: not memory.exists(), timeout=PATIENCE_MS)
 
 
+@pytest.mark.long
 def test_the_test_reports_an_application_that_reads(
     panel: OpenXrPanel, window: MainWindow, memory: Path, qtbot
 ) -> None:

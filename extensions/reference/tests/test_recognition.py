@@ -21,6 +21,8 @@ from tracker.base.errors import FileError
 from tracker.hand.names import KEYPOINTS
 from tracker.session.reader import SessionReader
 
+pytestmark = pytest.mark.long
+
 NAMES = tuple(KEYPOINTS)
 
 

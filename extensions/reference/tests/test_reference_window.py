@@ -146,6 +146,7 @@ def test_errors_are_reported_before_the_import(
     assert [p.name for p in session.parent.glob("*.mcap")] == ["take.mcap"]
 
 
+@pytest.mark.long
 def test_a_template_makes_an_unknown_csv_readable(
     dialog: ImportDialog, wearer: Wearer, x_L: Array, session: Path, opened: list[str], qtbot
 ) -> None:

@@ -108,6 +108,7 @@ def test_fingers_of_another_hand_point_where_the_wearers_do(
     assert np.median(angles) < 15.0
 
 
+@pytest.mark.long
 def test_positions_fit_with_the_free_base(landmarks: np.ndarray, tmp_path: Path) -> None:
     dex = configured(written(tmp_path, "numbered.urdf"), "position")
     for points in landmarks[:3]:

@@ -132,6 +132,7 @@ def _state(link) -> RobotState | None:
     return link.view.state if link.view is not None else None
 
 
+@pytest.mark.long
 @needs_mujoco
 def test_a_file_without_a_hand_is_reported_and_the_robot_is_off(window, qtbot, tmp_path) -> None:
     wrong = tmp_path / "ball.xml"

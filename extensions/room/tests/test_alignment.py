@@ -82,6 +82,7 @@ def test_offset_heading_and_delay_are_found(movement: Moved) -> None:
     assert found.rotation_rms < np.deg2rad(3) and found.position_rms < 0.004
 
 
+@pytest.mark.long
 def test_a_twentieth_of_wild_poses_and_a_gap_change_little(movement: Moved) -> None:
     rng = np.random.default_rng(4)
     wild = rng.random(len(movement.t_T)) < 0.05
@@ -166,6 +167,7 @@ def distance(a: Array, b: Array) -> float:
     return float(np.linalg.norm(a - b))
 
 
+@pytest.mark.long
 def test_a_session_without_poses_is_refused(tmp_path: Path, hand: HandModel) -> None:
     path = tmp_path / "plain.mcap"
     recorded(path, Turning(len(hand.joint_names), 5.0), None)

@@ -147,6 +147,7 @@ def test_without_an_engine_no_trial_begins(window: MainWindow, study: Study, qtb
     dialog.close()
 
 
+@pytest.mark.long
 def test_a_touch_trial_is_the_windows_touch_test(
     window: MainWindow, tmp_path: Path, recorders: list[MemoryRecorder], qtbot, monkeypatch
 ) -> None:

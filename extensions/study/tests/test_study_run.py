@@ -28,6 +28,8 @@ from tracker.session.compare import compare
 from tracker.session.reader import SessionReader
 from tracker.session.recover import needs_recovery
 
+pytestmark = pytest.mark.long
+
 ROOT = Path(__file__).parents[3]
 
 
@@ -85,7 +87,6 @@ def test_a_verdict_has_the_figures_of_the_recording(done: Progress) -> None:
     assert 0.9 < m.tracked <= 1.0 and m.duration == pytest.approx(5.0, abs=0.1)
 
 
-@pytest.mark.long
 @pytest.mark.parametrize(
     ("limits", "code"),
     [
@@ -116,7 +117,6 @@ def test_a_truncated_file_is_rejected(done: Progress, tmp_path: Path) -> None:
     assert only.code == "study.unreadable"
 
 
-@pytest.mark.long
 def test_a_bad_trial_is_repeated_and_then_fails(tmp_path: Path) -> None:
     text = SHORT.replace("participants = 2", "participants = 1\ntries = 2")
     text = text.replace('tasks = ["pegs"]', 'tasks = ["postures"]').replace("[tasks.pegs]", "[x]")
@@ -135,7 +135,6 @@ def test_a_bad_trial_is_repeated_and_then_fails(tmp_path: Path) -> None:
         open_study(tmp_path / "s").accepted()
 
 
-@pytest.mark.long
 def test_a_killed_run_is_resumed(tmp_path: Path) -> None:
     """Killed in the middle of the second trial: that one alone is repeated."""
     text = SHORT.replace("participants = 2", "participants = 1").replace("practice = 1", "")

@@ -105,6 +105,7 @@ def wrong_baseline(rig: StereoRig, factor: float) -> StereoRig:
     return replace(rig, right=Camera(right.width, right.height, right.K, right.D, right.R, P))
 
 
+@pytest.mark.long
 def test_a_ruler_separates_print_scale_from_camera_error(rig: StereoRig) -> None:
     frames = list(sheet_frames(placed_sheet(5), rig, 1, 5))
     camera_wrong = find_sheet(frames, wrong_baseline(rig, 1.01), ruler=0.260)

@@ -83,6 +83,7 @@ def test_a_point_of_a_fingertip_has_the_jacobian_of_finite_differences(layout, d
         np.testing.assert_allclose(rows.H_own, H_own, atol=2e-5)
 
 
+@pytest.mark.long
 def test_a_flexion_has_the_jacobian_of_finite_differences(layout, distal):
     state, own = somehow(layout), changed(distal)
     for joint in ("thumb_mcp", "thumb_ip", "index_mcp", "index_pip", "index_dip"):

@@ -28,7 +28,10 @@ from tracker.vision.rig import ideal_rig
 PERIOD = 0.01  # s from packet to packet, in real time
 MOST_LOST = 0.5  # s
 
-pytestmark = pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="a signal of POSIX")
+pytestmark = [
+    pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="a signal of POSIX"),
+    pytest.mark.long,
+]
 
 
 def info() -> SessionInfo:

@@ -161,6 +161,7 @@ def until_it_fails(recorder, maker: MessageMaker) -> FileError:
     raise AssertionError("nothing failed")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("spoiler", "words"),
     [
@@ -194,6 +195,7 @@ def test_after_a_full_disk_the_same_process_records_elsewhere(
     assert is_ok(verify(tmp_path / "b.mcap"))
 
 
+@pytest.mark.long
 def test_a_slow_disk_loses_nothing(tmp_path, recorders, session_info, maker) -> None:
     """Each sync takes 1 s, and there are over a hundred chunks: two minutes in total."""
     path, messages = tmp_path / "a.mcap", list(maker.stream(2000))
