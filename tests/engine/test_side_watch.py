@@ -46,7 +46,7 @@ def test_a_left_glove_with_right_files_is_reported_once(worn, not_found, expecte
     sim = Simulation(hand, glove, RandomPostures(hand, 0, duration=4.0), 0, fps=20)
     own_hand, own_glove = library.load(*RIGHT)
     pipeline = Pipeline(own_hand, own_glove, sim.rig)
-    watch, reported = SideWatch(pipeline, patience=0.3), []
+    watch, reported = SideWatch(pipeline, delay=0.3), []
     for message in sim.feed():
         if isinstance(message, ImuSample):
             tracking = pipeline.feed_imu(message).tracking
