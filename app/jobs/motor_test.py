@@ -10,8 +10,8 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from app.engines.engine import EngineSetup
 from app.engines.host_parts import CurrentEngine
-from app.jobs.own_gloves import own_vibration, save_own
-from app.storage.settings import SettingsStore
+from app.jobs.own_gloves import OwnGloveSettings, own_vibration, save_own
+from app.storage.settings import SettingsOf
 from app.viewmodels.device_settings import CONTROLS, DeviceValue, Value, locks_of
 from app.viewmodels.names import display_name
 from app.words import error_text, local, tr
@@ -39,7 +39,9 @@ class MotorTest(QObject):
 
     measured = Signal(str)
 
-    def __init__(self, host: CurrentEngine, store: SettingsStore, parent: QObject) -> None:
+    def __init__(
+        self, host: CurrentEngine, store: SettingsOf[OwnGloveSettings], parent: QObject
+    ) -> None:
         super().__init__(parent)
         self._host, self._store = host, store
         self._timer = QTimer(self)
@@ -131,7 +133,7 @@ def vibration_words(glove: GloveModel, channel: int, found: Vibration) -> str:
 
 def apply_changes(
     setup: EngineSetup,
-    store: SettingsStore,
+    store: SettingsOf[object],
     values: Sequence[DeviceValue],
     edits: Mapping[str, Value],
 ) -> None:

@@ -5,15 +5,26 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Protocol
 
 from app.engines.engine import EngineSetup
-from app.storage.bound_gloves import BoundGlove, bound, with_bound
+from app.storage.bound_gloves import BoundGlove, GloveSettings, bound, with_bound
 from app.storage.own_gloves import own_path
-from app.storage.settings import SettingsStore
+from app.storage.settings import SettingsOf
 from tracker.base.files import write_with_folder
 from tracker.glove import library
 from tracker.glove.files import parse_glove
 from tracker.glove.model import GloveModel, ImuVibration
+
+
+class OwnGloveSettings(GloveSettings, Protocol):
+    """The settings that name the glove's file and its hand."""
+
+    @property
+    def glove(self) -> str: ...
+
+    @property
+    def hand(self) -> str: ...
 
 
 def own_model(setup: EngineSetup) -> GloveModel:
@@ -28,7 +39,9 @@ def own_vibration(setup: EngineSetup) -> dict[str, ImuVibration | None]:
     return {imu.name: imu.vibration for imu in own_model(setup).imus}
 
 
-def save_own(store: SettingsStore, setup: EngineSetup, change: Callable[[str], str]) -> Path:
+def save_own(
+    store: SettingsOf[OwnGloveSettings], setup: EngineSetup, change: Callable[[str], str]
+) -> Path:
     """Write the glove's own file with a change of its text; it is used when devices are opened
     next.
 
@@ -44,7 +57,7 @@ def save_own(store: SettingsStore, setup: EngineSetup, change: Callable[[str], s
     return path
 
 
-def _use(store: SettingsStore, setup: EngineSetup) -> None:
+def _use(store: SettingsOf[OwnGloveSettings], setup: EngineSetup) -> None:
     settings, glove = store.value, setup.connection
     changes: dict[str, object] = {}
     if settings.glove == glove.file:

@@ -94,7 +94,7 @@ CALIBRATION = PanelKind(
 COLOURS = PanelKind(
     "colours",
     mark("Colours"),
-    lambda s: ColoursPanel(s.host, s.store, s.tasks),
+    lambda s: ColoursPanel(s.host, s.store.path.parent, s.tasks),
     {"set_up": Spot("right", 0, 2), "all": Spot("right", 1, 2)},
     number=9,
     private=False,

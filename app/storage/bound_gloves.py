@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass, replace
-from typing import Any
+from typing import Any, Protocol
 
 from app.storage.settings import AppSettings
 from app.words import tr
@@ -21,7 +21,14 @@ class BoundGlove:
     port: str = ""
 
 
-def bound(settings: AppSettings, glove_id: int | None) -> BoundGlove | None:
+class GloveSettings(Protocol):
+    """The settings that contain the gloves."""
+
+    @property
+    def gloves(self) -> dict[str, Any]: ...
+
+
+def bound(settings: GloveSettings, glove_id: int | None) -> BoundGlove | None:
     """The stored glove of that number; None if it is new or has not reported a number."""
     stored = settings.gloves.get(str(glove_id)) if glove_id is not None else None
     if not isinstance(stored, dict):
@@ -33,7 +40,7 @@ def bound(settings: AppSettings, glove_id: int | None) -> BoundGlove | None:
     return BoundGlove(*map(str, words))
 
 
-def bound_of(settings: AppSettings, side: str) -> tuple[int, BoundGlove] | None:
+def bound_of(settings: GloveSettings, side: str) -> tuple[int, BoundGlove] | None:
     """Number and files of the glove used last on this side."""
     for number in reversed([n for n in settings.gloves if n.isdecimal()]):
         known = bound(settings, int(number))
@@ -42,13 +49,13 @@ def bound_of(settings: AppSettings, side: str) -> tuple[int, BoundGlove] | None:
     return None
 
 
-def ports_of(settings: AppSettings) -> list[str]:
+def ports_of(settings: GloveSettings) -> list[str]:
     """Ports of gloves that the system does not list."""
     known = (bound(settings, int(number)) for number in settings.gloves if number.isdecimal())
     return [glove.port for glove in known if glove is not None and glove.port]
 
 
-def with_bound(settings: AppSettings, glove_id: int, glove: BoundGlove) -> dict[str, Any]:
+def with_bound(settings: GloveSettings, glove_id: int, glove: BoundGlove) -> dict[str, Any]:
     """The gloves of the settings including this one, to be stored."""
     others = {number: g for number, g in settings.gloves.items() if number != str(glove_id)}
     return {**others, str(glove_id): asdict(glove)}

@@ -174,6 +174,23 @@ class SettingsOf(Protocol[S_co]):
         """Change some fields and write the file. Raises FileError."""
 
 
+class SettingsFileOf(SettingsOf[S_co], Protocol[S_co]):
+    """With the ``path`` of their file, for a panel that has files beside it."""
+
+    @property
+    def path(self) -> Path: ...
+
+
+class WearerSettings(Protocol):
+    """The settings that `wearer_of` reads."""
+
+    @property
+    def wearers(self) -> dict[str, Any]: ...
+
+    @property
+    def demo_wearers(self) -> dict[str, Any]: ...
+
+
 class FolderSettings(Protocol):
     """The settings that `sessions_folder` reads."""
 
@@ -207,7 +224,7 @@ def _settings_from(data: dict[str, Any]) -> AppSettings:
     return from_dict(AppSettings, data, on_problem)
 
 
-def wearer_of(settings: AppSettings, side: str, of_demo: bool = False) -> str:
+def wearer_of(settings: WearerSettings, side: str, of_demo: bool = False) -> str:
     """The wearer of the glove on one side ("left" or "right"); empty if none is selected."""
     return str((settings.demo_wearers if of_demo else settings.wearers).get(side, ""))
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Protocol
 
 from app.engines.engine import EngineSetup
-from app.storage.bound_gloves import bound, with_bound
+from app.storage.bound_gloves import GloveSettings, bound, with_bound
 from app.storage.removed_file import RemovedFile
-from app.storage.settings import SettingsStore, wearer_of
+from app.storage.settings import SettingsFileOf, WearerSettings, wearer_of
 from app.storage.wearers import WearerStore
 from app.viewmodels.calibration import CalibrationView, calibration_view
 from app.words import tr
@@ -112,10 +113,14 @@ class WearerProfileModel:
         return shown
 
 
+class HandWearerSettings(GloveSettings, WearerSettings, Protocol):
+    """The settings that contain the wearer of each glove."""
+
+
 class WearersOfHands:
     """``current`` is the calibration of the displayed hand, one of ``by_side``."""
 
-    def __init__(self, store: SettingsStore) -> None:
+    def __init__(self, store: SettingsFileOf[HandWearerSettings]) -> None:
         self._store = store
         folder = store.path.parent / FOLDER
         self._files, self._demo_files = WearerStore(folder), WearerStore(folder / DEMO)

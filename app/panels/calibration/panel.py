@@ -25,11 +25,11 @@ from PySide6.QtWidgets import (
 from app.engines.engine import EngineSetup
 from app.engines.host_parts import HandSwitch, RunState
 from app.engines.snapshot import Snapshot
-from app.panels.calibration.profiles import WearerHost, WearerProfiles
+from app.panels.calibration.profiles import ProfileSettings, WearerHost, WearerProfiles
 from app.panels.calibration.wearer_row import WearerRow
 from app.panels.hand_choice import HandChoice
 from app.panels.panel import Panel
-from app.storage.settings import SettingsStore
+from app.storage.settings import SettingsFileOf
 from app.viewmodels.calibration import CalibrationCell, CalibrationRow, camera_time, has_one_camera
 from app.viewmodels.status import images_alone
 from app.widgets.elided_label import ElidedLabel
@@ -132,7 +132,10 @@ class CalibrationPanel(Panel):
     guided_requested = Signal()
 
     def __init__(
-        self, host: CalibrationHost, store: SettingsStore, parent: QWidget | None = None
+        self,
+        host: CalibrationHost,
+        store: SettingsFileOf[ProfileSettings],
+        parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
         self.host = host

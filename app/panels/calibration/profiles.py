@@ -14,9 +14,13 @@ from app.engines.host_parts import EngineChoice, EngineCommands, ErrorSignal
 from app.jobs.calibration_commands import CalibrationCommands
 from app.panels.calibration.wearer_row import WearerRow
 from app.storage.removed_file import RemovedFile
-from app.storage.settings import SettingsStore
+from app.storage.settings import SettingsFileOf
 from app.storage.wearers import WearerFile
-from app.viewmodels.wearer_profiles import WearerProfileModel, WearersOfHands
+from app.viewmodels.wearer_profiles import (
+    HandWearerSettings,
+    WearerProfileModel,
+    WearersOfHands,
+)
 from app.words import error_text
 from tracker.base.errors import GlovetrackError
 from tracker.engine.kinds import learns_wearer
@@ -28,13 +32,22 @@ class WearerHost(EngineChoice, EngineCommands, ErrorSignal, Protocol):
     """What the profiles use of the engine host."""
 
 
+class ProfileSettings(HandWearerSettings, Protocol):
+    """The settings of the calibration profiles."""
+
+    @property
+    def engine(self) -> str: ...
+
+
 class WearerProfiles(QObject):
     """Does what ``row`` requests and shows the wearer in it. ``kept``: the last fit has changed."""
 
     kept = Signal()
     removed = Signal(str, object)  # a message, and a function that undoes the removal
 
-    def __init__(self, host: WearerHost, store: SettingsStore, row: WearerRow) -> None:
+    def __init__(
+        self, host: WearerHost, store: SettingsFileOf[ProfileSettings], row: WearerRow
+    ) -> None:
         super().__init__(row)
         self._host, self._store, self._row = host, store, row
         self._first: Path | None = None

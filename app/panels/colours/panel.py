@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Protocol
 
 from PySide6.QtCore import Qt, Signal
@@ -19,7 +20,6 @@ from app.panels.panel import Panel
 from app.platform.tasks import LatestJob, TaskOwner
 from app.storage.colour_store import ColourAutosave, ColourStore
 from app.storage.image_folder import ImageFolder
-from app.storage.settings import SettingsStore
 from app.viewmodels.colour_fits import image_fit
 from app.viewmodels.colour_picks import Eyedropper, factory_colours
 from app.viewmodels.colour_search import MaskShown, ShownImage
@@ -56,20 +56,21 @@ class ColoursHost(ColourUse, CurrentEngine, EngineChanges, ErrorSignal, Protocol
 
 
 class ColoursPanel(Panel):
-    """Connects `ColourTuning`, which contains the state, with widgets, files and the engine."""
+    """Connects `ColourTuning`, which contains the state, with widgets, files in ``folder`` and the
+    engine."""
 
     period = 1 / 8
 
     def __init__(
         self,
         host: ColoursHost,
-        store: SettingsStore,
+        folder: Path,
         tasks: TaskOwner,
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
         self.host = host
-        self._folder = store.path.parent
+        self._folder = folder
         self.keeper = ColourAutosave(ColourStore(self._folder / "colours"), self)
         self.tuning: ColourTuning | None = None
         self.fitting = ColoursFitting(tasks, self)

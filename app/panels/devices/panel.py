@@ -24,8 +24,9 @@ from PySide6.QtWidgets import (
 from app.engines.host_parts import CurrentEngine, EngineChanges
 from app.engines.snapshot import Snapshot
 from app.jobs.motor_test import MotorTest, apply_changes, read_settings, save_settings
+from app.jobs.own_gloves import OwnGloveSettings
 from app.panels.panel import Panel
-from app.storage.settings import SettingsStore
+from app.storage.settings import SettingsOf
 from app.viewmodels.device_settings import (
     AUTOMATIC,
     DeviceValue,
@@ -57,7 +58,7 @@ class DevicesPanel(Panel):
     period = 0.5
 
     def __init__(
-        self, host: DevicesHost, store: SettingsStore, parent: QWidget | None = None
+        self, host: DevicesHost, store: SettingsOf[OwnGloveSettings], parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self.host = host

@@ -9,7 +9,7 @@ from extensions.applications.window.panel import ApplicationsPanel
 PANEL = PanelKind(
     "applications",
     mark("Applications"),
-    lambda s: ApplicationsPanel(s.host, s.store),
+    lambda s: ApplicationsPanel(s.host),
     {"all": Spot("right", 0, 1)},
     over="hand",
     number=12,

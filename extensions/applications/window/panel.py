@@ -26,7 +26,6 @@ from app.engines.snapshot import Snapshot
 from app.panels.hand.legend import ValidityLegend
 from app.panels.hand_choice import HandChoice
 from app.panels.panel import Panel, PanelColours
-from app.storage.settings import SettingsStore
 from app.widgets.measures import NEAR
 from app.widgets.one_line import OneLine
 from extensions.applications.window.drawing import ApplicationView
@@ -46,12 +45,9 @@ class ApplicationsPanel(Panel):
     period = 1 / 30
     spared_at = Shed.VIEW_RATE
 
-    def __init__(
-        self, host: ApplicationsHost, store: SettingsStore, parent: QWidget | None = None
-    ) -> None:
+    def __init__(self, host: ApplicationsHost, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.host = host
-        self._store = store
         self.view = ApplicationView()
         self.view.failed.connect(host.error)
         self.model: ApplicationsModel | None = None

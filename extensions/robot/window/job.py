@@ -12,7 +12,7 @@ from collections import deque
 from collections.abc import Callable, Iterator
 from dataclasses import asdict, replace
 from pathlib import Path
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 from PySide6.QtCore import QObject, Qt, Signal
@@ -22,7 +22,7 @@ from app.engines.host_parts import CurrentEngine, HandChanges, RunState
 from app.engines.protocols import CommandedHand
 from app.engines.snapshot import Snapshot
 from app.jobs.connections import remembered
-from app.storage.settings import SettingsStore
+from app.storage.settings import SettingsOf
 from app.words import error_text, notice_text
 from extensions.robot.command import ENGAGE, RELEASE, RESET, SCALE, RobotCommand
 from extensions.robot.library import need_mujoco
@@ -45,6 +45,19 @@ class RobotHost(CurrentEngine, HandChanges, RunState, Protocol):
     """What the connection uses of the engine host."""
 
 
+class StoredRobot(Protocol):
+    """The settings of the robot hand that the window stores."""
+
+    @property
+    def robot(self) -> dict[str, Any]: ...
+
+    @property
+    def robot_fingers(self) -> dict[str, Any]: ...
+
+    @property
+    def robot_port(self) -> int: ...
+
+
 class RobotLink(QObject):
     """Runs one robot while it is switched on and an engine is open."""
 
@@ -53,7 +66,7 @@ class RobotLink(QObject):
     _failure_received = Signal(str)
 
     def __init__(
-        self, host: RobotHost, store: SettingsStore, parent: QObject | None = None
+        self, host: RobotHost, store: SettingsOf[StoredRobot], parent: QObject | None = None
     ) -> None:
         super().__init__(parent)
         self._host, self._store = host, store

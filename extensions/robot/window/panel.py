@@ -24,7 +24,7 @@ from app.engines.host_parts import ErrorSignal, HandSwitch
 from app.engines.snapshot import Snapshot
 from app.panels.hand_choice import HandChoice
 from app.panels.panel import Panel, PanelColours
-from app.storage.settings import SettingsStore
+from app.storage.settings import SettingsOf
 from app.widgets.chip import Chip
 from app.widgets.measures import NEAR
 from app.widgets.number_box import NumberBox
@@ -34,7 +34,7 @@ from app.widgets.view3d.shapes import Surface
 from app.widgets.view3d.view_3d import View3D
 from app.words import error_text
 from extensions.robot.window.finger_table import FingerTable
-from extensions.robot.window.job import RobotHost, RobotLink
+from extensions.robot.window.job import RobotHost, RobotLink, StoredRobot
 from extensions.robot.window.view_model import (
     CLUTCHES,
     MODELS,
@@ -64,7 +64,7 @@ class RobotPanel(Panel):
     spared_at = Shed.VIEW_RATE
 
     def __init__(
-        self, host: RobotPanelHost, store: SettingsStore, parent: QWidget | None = None
+        self, host: RobotPanelHost, store: SettingsOf[StoredRobot], parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self.link = RobotLink(host, store, self)
