@@ -200,15 +200,20 @@ def test_the_delay_from_taps_to_a_screen_is_measured(monkeypatch: pytest.MonkeyP
 
 
 def test_the_screen_is_lit_for_a_while_after_a_tap_and_not_again_by_its_rebound() -> None:
-    shown: list[tuple[float, bool]] = []
-    taps = Taps(TappedGlove(2 * TAP), lambda lit: shown.append((time.monotonic(), lit)))
+    shown: list[bool] = []
+    twice = threading.Event()
+
+    def show(lit: bool) -> None:
+        shown.append(lit)
+        if len(shown) == 4:
+            twice.set()
+
+    taps = Taps(TappedGlove(2 * TAP), show)
     taps.start()
-    end = time.monotonic() + 20
-    while len(shown) < 4 and time.monotonic() < end:
-        time.sleep(0.01)
+    assert twice.wait(20.0)
     pulses = taps.stop()
     assert len(pulses) >= 2 and (np.diff(pulses[:, 0]) > measuring.APART).all()
-    assert [lit for _, lit in shown[:4]] == [True, False, True, False]
+    assert shown[:4] == [True, False, True, False]
     assert (np.diff(pulses, axis=1) >= ON).all()
 
 
